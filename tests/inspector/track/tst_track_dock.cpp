@@ -86,8 +86,9 @@ private:
         QTest::keyClick(edit, Qt::Key_Return);
         QApplication::processEvents(); // what was typed counts a little later
     }
+    void nameFile() { type("track_file", m_folder.filePath("track.csv")); }
     void fit() {
-        type("track_file", m_folder.filePath("track.csv"));
+        nameFile();
         click("track_fit");
         QTRY_COMPARE_WITH_TIMEOUT(find<QPushButton>("track_fit").text(), QString("Fit"), kLong);
     }
@@ -131,13 +132,13 @@ void TestTrackDock::fileThatIsntThereIsSaid() {
     QVERIFY2(report().contains("missing.csv"), qPrintable(report()));
     QVERIFY2(file.toolTip().endsWith("missing.csv': there is no such file"), qPrintable(file.toolTip()));
     QVERIFY(!find<QPushButton>("track_fit").isEnabled());
-    type("track_file", m_folder.filePath("track.csv"));
+    nameFile();
     QVERIFY(find<QPushButton>("track_fit").isEnabled());
     QVERIFY(!file.toolTip().contains("missing.csv"));
 }
 
 void TestTrackDock::wrongUnitsAreSaid() {
-    type("track_file", m_folder.filePath("track.csv"));
+    nameFile();
     type("track_units", "x=miles");
     click("track_fit");
     QVERIFY2(report().endsWith("found 'x=miles'"), qPrintable(report()));
@@ -145,6 +146,7 @@ void TestTrackDock::wrongUnitsAreSaid() {
 }
 
 void TestTrackDock::enterInTheUnitsReadsTheTableAnew() {
+    nameFile();
     const auto &rollAlong = find<QPushButton>("track_follow");
     type("track_units", "px=abc, t=-1");
     QTest::keyClick(&find<QLineEdit>("track_units"), Qt::Key_Return);
@@ -156,6 +158,7 @@ void TestTrackDock::enterInTheUnitsReadsTheTableAnew() {
 }
 
 void TestTrackDock::pointsBesideTheBoardAreSaid() {
+    nameFile();
     const auto open = [this] { QTest::keyClick(&find<QLineEdit>("track_file"), Qt::Key_Return); };
     open();
     QVERIFY2(!report().contains("beside the board"), qPrintable(report()));
@@ -166,6 +169,7 @@ void TestTrackDock::pointsBesideTheBoardAreSaid() {
 }
 
 void TestTrackDock::fitTellsTheVerdictAndTheValues() {
+    nameFile();
     click("track_fit");
     QCOMPARE(find<QPushButton>("track_fit").text(), QString("Cancel"));
     QTRY_COMPARE_WITH_TIMEOUT(find<QPushButton>("track_fit").text(), QString("Fit"), kLong);
@@ -294,6 +298,7 @@ void TestTrackDock::typedBeginningsCount() {
 void TestTrackDock::wrongBeginningStaysInRed() {
     const QTableWidgetItem *cell = table().item(rowOf("Delay of the tilt"), FitTable::Begin);
     const QString usualTip = cell->toolTip();
+    typeBegin("Delay of the tilt", "-200");
     typeBegin("Delay of the tilt", "1e400");
     QCOMPARE(table().begin(m_session->parameters().inputs()).delay, -0.2);
     typeBegin("Frame x", "0"); // all cells are written anew
@@ -313,6 +318,7 @@ void TestTrackDock::wrongBeginningStaysInRed() {
 }
 
 void TestTrackDock::nothingIsFittedFromAWrongBeginning() {
+    nameFile();
     typeBegin("Delay of the tilt", "soon");
     click("track_fit");
     QCOMPARE(find<QPushButton>("track_fit").text(), QString("Fit"));
@@ -321,6 +327,7 @@ void TestTrackDock::nothingIsFittedFromAWrongBeginning() {
 }
 
 void TestTrackDock::ticksAreRemembered() {
+    if (table().words().contains("delay")) tick("Delay of the tilt");
     const TrackDock other(*m_session, m_undo);
     QVERIFY(!other.findChild<FitTable *>("track_quantities")->words().contains("delay"));
     QVERIFY(other.findChild<FitTable *>("track_quantities")->words().contains("restitution_wall"));
