@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/game/game_strip.h"
 
+#include "core/setup/lines.h"
 #include "ui/game/clock_text.h"
 #include "ui/parts/elided_label.h"
 #include "ui/parts/flow_layout.h"
@@ -109,7 +110,7 @@ QString levelTitle(const Session &session, const Level &level) {
     const std::vector<Level> &levels = session.levels();
     const std::optional<int> number = numberOf(level);
     const bool isListed = std::ranges::count(levels, level.path, &Level::path) > 0;
-    if (!number || !isListed) return level.name;
+    if (!number || !isListed) return oneLine(level.name);
     return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Level %1")).arg(*number);
 }
 

@@ -4,6 +4,7 @@
 #include "core/program/fit_command.h"
 #include "core/program/outputs.h"
 #include "core/setup/files.h"
+#include "core/setup/lines.h"
 #include "core/track/fit_report.h"
 #include "core/track/track_reader.h"
 #include "ui/parameters/parameter_command.h"
@@ -176,7 +177,7 @@ bool TrackDock::openTrack() {
     }
     forgetFit();
     m_track = std::move(track);
-    m_level = m_session.level().name;
+    m_level = oneLine(m_session.level().name);
     emit opened(m_file->path());
     layOver(m_quantities->begin(m_session.parameters().inputs()));
     showReport();
@@ -242,7 +243,7 @@ void TrackDock::showLevel() {
     if (m_session.track()) return showAnew();
     m_report->setPlainText(
         tr("%1 lies over level %2 and is shown there. Enter in the file's box opens it for this one.")
-            .arg(QFileInfo(m_track->name).fileName(), m_level));
+            .arg(oneLine(QFileInfo(m_track->name).fileName()), m_level));
 }
 
 void TrackDock::showRunning() {

@@ -485,7 +485,8 @@ void MainWindow::openLevel() {
 void MainWindow::showTitle() {
     const QString title = tr("%1 – Physics inspector").arg(levelTitle(m_session, m_session.level()));
     if (!m_session.isReplaying()) return setWindowTitle(title);
-    setWindowTitle(QStringLiteral("%1 – %2").arg(QFileInfo(m_session.recording().recording().file).fileName(), title));
+    const QString name = QFileInfo(m_session.recording().recording().file).fileName();
+    setWindowTitle(QStringLiteral("%1 – %2").arg(oneLine(name), title));
 }
 
 void MainWindow::refresh() {

@@ -96,7 +96,7 @@ void MainWindow::addRecent(QMenu &menu) {
         recent->setToolTipsVisible(true);
         int number = 0;
         for (const QString &path : m_session.settings().value(settings_keys::kRecent).toStringList()) {
-            QString name = QFileInfo(path).fileName().replace(QLatin1Char('&'), QLatin1String("&&"));
+            QString name = oneLine(QFileInfo(path).fileName()).replace(QLatin1Char('&'), QLatin1String("&&"));
             QAction *open = recent->addAction(QStringLiteral("&%1  %2").arg(++number).arg(name));
             open->setToolTip(oneLine(path));
             connect(open, &QAction::triggered, this, [this, path] { openFile(path); });

@@ -38,6 +38,7 @@ private slots:
     void droppedMazeIsARecentOne();
     void droppedFileIsNotMoved();
     void recentFileThatIsGoneIsForgotten();
+    void nameOfTwoLinesIsShownInOne();
     void nameIsOpenedAsItIsTyped_data();
     void nameIsOpenedAsItIsTyped();
     void changedMazeIsReadAgain();
@@ -145,6 +146,18 @@ void TestWindowFiles::droppedFileIsNotMoved() {
     QVERIFY(drop.isAccepted());
     QCOMPARE(drop.dropAction(), Qt::CopyAction);
     QTRY_COMPARE(m_fixture->session().level().name, QString("mine"));
+}
+
+void TestWindowFiles::nameOfTwoLinesIsShownInOne() {
+    const QString maze = m_fixture->path("two\nlines.txt");
+    QVERIFY(QFile::copy(LEVELS_FOLDER "/02.txt", maze));
+    m_fixture->drop(maze);
+    QTRY_COMPARE(m_fixture->window().windowTitle(), QString::fromUtf8("two\\nlines – Physics inspector"));
+    m_fixture->window().refresh();
+    QStringList texts;
+    for (const QLabel *label : m_fixture->find<QWidget>("game_strip")->findChildren<QLabel *>()) texts += label->text();
+    QVERIFY2(texts.contains("two\\nlines"), qPrintable(texts.join('|')));
+    QCOMPARE(recent()->actions().at(0)->text(), QString("&1  two\\nlines.txt"));
 }
 
 void TestWindowFiles::recentFileThatIsGoneIsForgotten() {
