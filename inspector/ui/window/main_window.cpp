@@ -62,7 +62,8 @@ constexpr QSize kUsualSize(1280, 800);
 constexpr double kScreenShare = 0.75; ///< share of a larger screen
 constexpr double kTradeShare = 0.56;  ///< share of the window's height, when the dock is shown
 constexpr int kRestHeight = 390;      ///< logical pixels of the window's height, at least, for view and bars
-constexpr int kLeastHeight = 100;     ///< of a dock that is opened
+constexpr int kLeastHeight = 100;     ///< of a dock that is opened at the side
+constexpr int kLeastBelow = 230;      ///< of one below the view, once the window has it
 constexpr double kPlotShare = 0.29;
 constexpr double kTrackShare = 0.48;
 constexpr double kSideShare = 0.42; ///< of the window's width, at most, for the parameters
@@ -318,10 +319,11 @@ void MainWindow::showDock(QDockWidget &dock, double share) {
     dock.show();
     dock.raise();
     if (!isResized) return;
-    resizeDocks({&dock}, {std::min(int(share * height()), std::max(height() - kRestHeight, kLeastHeight))},
-                Qt::Vertical);
-    if (area == Qt::TopDockWidgetArea || area == Qt::BottomDockWidgetArea)
-        m_dockRoom->want(area, int(share * height()));
+    const bool isBelow = area == Qt::TopDockWidgetArea || area == Qt::BottomDockWidgetArea;
+    const int least = isBelow ? kLeastBelow : kLeastHeight;
+    const int wanted = std::min(int(share * height()), std::max(height() - kRestHeight, least));
+    resizeDocks({&dock}, {wanted}, Qt::Vertical);
+    if (isBelow) m_dockRoom->want(area, wanted);
     if (isBounces && hasRoomBeside) resizeDocks({&dock}, {int(kBouncesWidth * width())}, Qt::Horizontal);
 }
 
