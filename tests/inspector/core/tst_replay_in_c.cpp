@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Recordings are portable: the C example, which uses only the library, reports the same as the inspector.
 #include "support/files.h"
+#include "support/stepper_rows.h"
 
 #include <QProcess>
 #include <QTemporaryDir>
@@ -84,9 +85,9 @@ void TestReplayInC::initTestCase() { QVERIFY(m_folder.isValid()); }
 
 void TestReplayInC::sameIsSame_data() {
     QTest::addColumn<QStringList>("words");
-    for (const char *stepper : {"explicit-euler", "symplectic-euler", "velocity-verlet", "rk4", "swept", "exact"})
+    for (const QByteArray &stepper : support::stepperIds())
         for (const char *model : {"rolling", "rigid"})
-            QTest::addRow("%s, %s", stepper, model) << QStringList{
+            QTest::addRow("%s, %s", stepper.constData(), model) << QStringList{
                 "--level", "3", "--autopilot", "--duration", "3", "--stepper", stepper, "--model", model};
     QTest::newRow("other parameters") << QStringList{"--level",    "1", "--tilt-x",           "7",  "--dt", "1/60",
                                                      "--duration", "2", "--restitution-wall", "0.9"};

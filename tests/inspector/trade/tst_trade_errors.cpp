@@ -6,6 +6,7 @@
 #include "core/trade/trade_table.h"
 #include "inspector/core/scenes.h"
 #include "support/compare.h"
+#include "support/stepper_rows.h"
 
 #include <array>
 
@@ -124,7 +125,7 @@ void TestTradeErrors::orientationIsComparedInSmallSteps() {
     TradePlan turning = plan(openFloor(), randomSchedule(5, 2.0), {0.001});
     turning.withOrientation = true;
     const TradeResult result = measured(turning);
-    for (const char *stepper : {"velocity-verlet", "rk4", "swept", "exact"}) {
+    for (const QByteArray &stepper : support::higherOrderStepperIds()) {
         const double error = find(result, stepper, 0.001).error.orientationLargest;
         QVERIFY2(error < radians(0.01), qPrintable(QString("%1: %2 degrees").arg(stepper).arg(degrees(error))));
     }
