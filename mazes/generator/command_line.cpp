@@ -25,7 +25,7 @@ constexpr OptionRow kCells = {"--cells", "WxH", "columns x rows, each from 2 to 
 constexpr OptionRow kAlgorithm = {"--algorithm", "NAME", "how passages are chosen; default backtracker"};
 constexpr OptionRow kLoops = {"--loops", "FRACTION", "share of inner walls to open besides, from 0 to 1; default 0"};
 constexpr OptionRow kOut = {"--out", "PREFIX", "writes PREFIX.txt .obj .mtl .scad; default maze"};
-constexpr OptionRow kLevels = {"--levels", "FOLDER", "writes the game's ten levels there instead"};
+constexpr OptionRow kLevels = {"--levels", "FOLDER", "writes the game's levels there instead"};
 constexpr OptionRow kBall = {"--ball", "FOLDER", "writes the ball's mesh there, ball.obj and ball.mtl"};
 
 constexpr OptionRow kHelp = {"--help", "", "prints this help"};

@@ -146,6 +146,8 @@ private slots:
     void passagesAreOneLessThanCellsUnlessThereAreLoops_data() { levelRows(); }
     void passagesAreOneLessThanCellsUnlessThereAreLoops();
     void eachLevelsWayOutIsLongerThanTheLast();
+    void theReadmesTableHasEachLevel_data() { levelRows(); }
+    void theReadmesTableHasEachLevel();
     void scadIsOneSolidOfTheBoardsSizeInMillimetres_data() { levelRows(); }
     void scadIsOneSolidOfTheBoardsSizeInMillimetres();
     void ballIsAUnitSphereOfThreeColours();
@@ -258,6 +260,20 @@ void TestMazeLevels::eachLevelsWayOutIsLongerThanTheLast() {
         QVERIFY2(length > last, qPrintable(QString("%1 cells after %2").arg(length).arg(last)));
         last = length;
     }
+}
+
+void TestMazeLevels::theReadmesTableHasEachLevel() {
+    QFETCH(QString, name);
+    QFETCH(int, index);
+    const mazes::Recipe recipe = mazes::levelRecipes()[static_cast<std::size_t>(index)];
+    const QString loops = recipe.loopMillionths ? QString(" %1 %").arg(recipe.loopMillionths / 10'000) : QString();
+    const QString row = QString("| %1 | %2 x %3 | %4 |%5 | %6 |\n")
+                            .arg(name)
+                            .arg(recipe.width)
+                            .arg(recipe.height)
+                            .arg(QString::fromStdString(std::string(mazes::algorithmName(recipe.algorithm))), loops)
+                            .arg(mazes::wayLength(mazes::makeMaze(recipe)));
+    QVERIFY2(contentOf(MAZES_FOLDER "/README.md").contains(row.toUtf8()), qPrintable("it lacks " + row));
 }
 
 void TestMazeLevels::scadIsOneSolidOfTheBoardsSizeInMillimetres() {
