@@ -2,10 +2,12 @@
 #include "exact/bounces.h"
 
 #include "base/elementary.h"
+#include "contact/held.h"
 #include "contact/near.h"
 #include "exact/last_bounce.h"
 #include "exact/resolve.h"
 #include "exact/search.h"
+#include "phases/resisted.h"
 #include "phases/uniform.h"
 #include "scene/nearest.h"
 
@@ -94,6 +96,13 @@ bool isRegular(const MovingBall &ball, const Contact &face) {
     return face.friction == 0.0 || isNoSlip(ball.moment(), slipAt(ball.moment(), face.normal));
 }
 
+/// Whether many bounces of equal height follow while the ball slips, after many in this step.
+bool isEven(const MovingBall &ball, const Contact &face) {
+    constexpr double kElastic = 1.0 - 1e-11; // restitution
+    if (!hasSomeHops(ball) || face.friction == 0.0 || face.restitution < kElastic) return false;
+    return !isNoSlip(ball.moment(), slipAt(ball.moment(), face.normal));
+}
+
 /// The obstacles for a ball that bounces up to this height on a face, the only one it touches: whatever rises above the
 /// face's plane, and the face's ends.
 Obstacles findObstacles(const Contacts &contacts, double height, MovingBall &ball) {
@@ -162,7 +171,7 @@ void makeBounces(double back, const Obstacles &obstacles, MovingBall &ball, Touc
         ball.work.add(Work::kBounce);
         countHop(kBounceCount, flight, ball);
         collide(ball.negligibleSpeed(), ball, touching);
-    } while (!ball.work.isTooMuch() && !isRegular(ball, face));
+    } while (!ball.work.isTooMuch() && !isRegular(ball, face) && !isEven(ball, face));
 }
 
 void followSeries(const BounceSeries &series, const SeriesPart &part, MovingBall &ball, Contact &face) {
@@ -178,6 +187,25 @@ void followSeries(const BounceSeries &series, const SeriesPart &part, MovingBall
     ball.motion.velocity += (1.0 - series.drag) * part.time * series.pull + (part.speed - series.speed) * face.normal;
     ball.motion.spin += part.time * turning;
     ball.pass(part.time);
+}
+
+/// One of many bounces, as the report shows it.
+struct Bounce {
+    double time; ///< s from now on
+    Vec3 way;
+    double before, after; ///< speeds
+};
+
+/// Reports bounces at a face while there is room for them. bounce(i): the i-th one, from 1 on.
+template<class BounceAt>
+void reportBounces(double count, const Contact &face, MovingBall &ball, const BounceAt &bounce) {
+    for (double i = 1.0; i <= count; i += 1.0) {
+        if (!ball.report.hasRoom()) return ball.report.lostEvents(count - i + 1.0);
+        const Bounce now = bounce(i);
+        const Vec3 point = face.point + now.way;
+        ball.report.event(face.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, ball.elapsed + now.time, point,
+                          face.normal, -now.before, now.after, ball.scene().givenBox(face.box, point));
+    }
 }
 
 /// Regular bounces form a geometric series: those down to half the speed are made at once. False if there are none.
@@ -196,19 +224,63 @@ bool skipSeries(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts
         const double time = flight * geometric(eps, bounces);
         return SeriesPart{time, flight * flight * geometric(eps * eps, bounces), series.speed - series.slowing * time};
     };
-    double before = series.speed;
-    for (uint64_t i = 1; static_cast<double>(i) <= count; ++i) {
-        if (!ball.report.hasRoom()) {
-            ball.report.lostEvents(count - static_cast<double>(i) + 1.0);
-            break;
-        }
-        const SeriesPart part = partOf(static_cast<double>(i));
-        const Vec3 point = face.point + series.way(part);
-        ball.report.event(face.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, ball.elapsed + part.time, point,
-                          face.normal, -before, part.speed, ball.scene().givenBox(face.box, point));
-        before = part.speed;
-    }
+    reportBounces(count, face, ball, [&](double i) {
+        const SeriesPart part = partOf(i);
+        return Bounce{part.time, series.way(part), partOf(i - 1.0).speed, part.speed};
+    });
     followSeries(series, partOf(count), ball, face);
+    return true;
+}
+
+/// Gives the ball a share of the friction of one bounce, whose impulse this is.
+void rub(const Contact &face, double impulse, double share, MovingBall &ball) {
+    const Vec3 friction = -share * face.friction * impulse * hat(slipAt(ball.moment(), face.normal));
+    ball.motion.velocity += friction;
+    ball.motion.spin -= kInertia / ball.radius() * glm::cross(face.normal, friction);
+}
+
+double energyOf(const MovingBall &ball) {
+    const double R = ball.radius();
+    return 0.5 * squared(ball.motion.velocity) + 0.2 * R * R * squared(ball.motion.spin);
+}
+
+/// Many even bounces: from the middle of one impulse to that of another the mean pressure moves the ball along the face
+/// as they do, up to the square of a flight. False if there are few.
+bool skipSlip(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts) {
+    constexpr double kFew = 64.0, kLower = 1e-9; // kLower: of the speed, by which they may become slower
+    Contact &face = contacts[0];
+    if (!isEven(ball, face)) return false;
+    BounceSeries series(ball.motion, face, ball.setting.gravity());
+    if (series.speed <= leastBounce(ball, contacts)) return false;
+    const double flight = series.flight, impulse = (1.0 + face.restitution) * series.speed;
+    const double friction = face.friction * impulse / flight, before = energyOf(ball);
+    const Motion given = ball.motion;
+    ball.motion.velocity = series.along;
+    rub(face, impulse, -0.5, ball);
+    const Resisted phase = Resisted::slipping(axisOf(face), ball.motion.velocity, slipAt(ball.moment(), face.normal),
+                                              series.pull, friction, ball.radius(), ball.motion.spin, face.normal);
+    const Vec3 pull = series.pull;
+    series.pull += friction * hat(pull == Vec3(0.0) ? series.along : pull);
+    const double free = std::min(freeTime(series, obstacles, ball.radius()), phase.end().after - 4.0 * flight);
+    const double most = std::min(free, ball.left) / flight;
+    const double count = std::floor(std::min(most, kLower / (1.0 - face.restitution)));
+    if (!(count >= kFew)) {
+        ball.motion = given;
+        return false;
+    }
+    reportBounces(count, face, ball, [&](double i) {
+        return Bounce{i * flight, phase.at(i * flight).way, series.speed, series.speed};
+    });
+    const Place end = phase.placeAt(count * flight);
+    ball.turn(phase, end, count * flight);
+    ball.position += end.way;
+    face.point += end.way;
+    ball.motion = {end.velocity, end.spin};
+    rub(face, impulse, 0.5, ball);
+    ball.motion.velocity += series.speed * face.normal;
+    ball.report.lostSlip(before + glm::dot(pull, end.way) - energyOf(ball));
+    ball.work.add(Work::kBounce + Resisted::lookWork());
+    ball.pass(count * flight);
     return true;
 }
 
@@ -244,7 +316,8 @@ void skipBounces(const Ground &ground, MovingBall &ball, Touching &touching) {
     const uint32_t box = next->box;
     contacts.drop([&](const Contact &contact) { return contact.box != box; });
     const Obstacles obstacles = findObstacles(contacts, height, ball);
-    if (!endSeries(obstacles, ball, contacts) && !skipSeries(obstacles, ball, contacts)) {
+    if (!endSeries(obstacles, ball, contacts) && !skipSeries(obstacles, ball, contacts) &&
+        !skipSlip(obstacles, ball, contacts)) {
         makeBounces(back, obstacles, ball, touching);
     }
     const double left = glm::dot(ball.motion.velocity, contacts[0].normal);

@@ -23,9 +23,6 @@ constexpr double kSlowDecay = 0.95;
 /// Hops last no longer than gravity takes for a way of this many radii.
 constexpr double kHop = 1e-5;
 
-/// After this many hops in a step, all bounces end as soon as that is exact to rounding.
-constexpr uint32_t kSomeHops = 500 * kHopCount;
-
 /// Factor on the height of the last bounces.
 double higher(const MovingBall &ball) {
     constexpr double kHigher = 100.0, kHighest = 1e6;
@@ -60,7 +57,7 @@ double lastHopHeight(const MovingBall &ball, const Contacts &contacts, const Con
     constexpr double kExact = 1e-15; // of the speed
     const double least = higher(ball) * kLastHop * ball.radius();
     const auto isGlued = [](const Contact &one) { return one.isGlued; };
-    if (ball.hops < kSomeHops || std::any_of(contacts.begin(), contacts.end(), isGlued)) return least;
+    if (!hasSomeHops(ball) || std::any_of(contacts.begin(), contacts.end(), isGlued)) return least;
     if (contact.friction > 0.0 && glm::dot(ball.motion.velocity, contact.normal) >= 0.0) return least;
     double height = lastHeight(ball);
     if (contact.friction > 0.0) {

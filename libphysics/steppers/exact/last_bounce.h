@@ -12,6 +12,10 @@ inline constexpr uint32_t kBounceCount = 1, kHopCount = 8, kSeriesCount = 36;
 /// Counts a phase of this length (s) as one of those, if it is short.
 void countHop(uint32_t count, double time, MovingBall &ball);
 
+/// After this many hops in a step, bounces may be taken together that are alike but for rounding.
+inline constexpr uint32_t kSomeHops = 500 * kHopCount;
+inline bool hasSomeHops(const MovingBall &ball) { return ball.hops >= kSomeHops; }
+
 /// After this many hops in a step, a less exact result is better than none: last bounces may be higher, and after as
 /// many again higher still.
 inline constexpr uint32_t kManyHops = 7'000 * kHopCount;
