@@ -96,7 +96,7 @@ private:
     // So that each fact can be run by itself.
     void fitOnce() {
         if (!find<QPushButton>("track_take_over").isEnabled()) fit();
-        QVERIFY2(report().contains("verdict: "), qPrintable(report()));
+        QVERIFY2(find<QPushButton>("track_take_over").isEnabled(), qPrintable(report()));
     }
 
     BoardParameters m_truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
