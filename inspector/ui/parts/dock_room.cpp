@@ -7,6 +7,7 @@
 #include <QTabBar>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace inspector::ui {
@@ -84,6 +85,20 @@ void DockRoom::want(Qt::DockWidgetArea area, int size) {
     side = seen(area);
     side.wanted = size;
     m_isResized = true; // fitted once they are laid out
+}
+
+QStringList DockRoom::stored() const {
+    QStringList sizes;
+    for (const Qt::DockWidgetArea area : kAreas) sizes += QString::number(wanted(area));
+    return sizes;
+}
+
+/// The window may have been too small for it.
+void DockRoom::restore(const QStringList &sizes) {
+    forget();
+    if (sizes.size() != std::ssize(kAreas)) return;
+    for (qsizetype i = 0; i < sizes.size(); ++i)
+        if (const int size = std::clamp(sizes[i].toInt(), 0, QWIDGETSIZE_MAX); size > 0) want(kAreas[i], size);
 }
 
 void DockRoom::fit(Qt::DockWidgetArea area) {

@@ -6,6 +6,7 @@
 #include <QHash>
 #include <QList>
 #include <QObject>
+#include <QStringList>
 
 class QDockWidget;
 class QMainWindow;
@@ -27,6 +28,9 @@ public:
     void want(Qt::DockWidgetArea area, int size);
     /// The layout was replaced by one with sizes of its own.
     void forget() { m_sides.clear(); }
+    /// What the docks want, in the order of the areas, and a layout that was stored with it.
+    QStringList stored() const;
+    void restore(const QStringList &sizes);
 
 protected:
     bool eventFilter(QObject *window, QEvent *event) override;

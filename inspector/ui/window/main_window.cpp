@@ -176,7 +176,9 @@ void MainWindow::resizeEvent(QResizeEvent *event) {
 /// Qt fits a layout that is restored earlier to a window of another size, and then to this one, which gives what was
 /// saved to other docks.
 void MainWindow::restoreDocks() {
-    if (restoreState(storedBytes(m_session.settings(), settings_keys::kLayout), kLayoutVersion)) m_dockRoom->forget();
+    const QSettings &settings = m_session.settings();
+    if (restoreState(storedBytes(settings, settings_keys::kLayout), kLayoutVersion))
+        m_dockRoom->restore(settings.value(settings_keys::kDockRoom).toStringList());
 }
 
 MainWindow::~MainWindow() = default;
@@ -588,6 +590,7 @@ void MainWindow::closeEvent(QCloseEvent *event) {
     QSettings &settings = m_session.settings();
     storeBytes(settings, settings_keys::kGeometry, saveGeometry());
     storeBytes(settings, settings_keys::kLayout, saveState(kLayoutVersion));
+    settings.setValue(settings_keys::kDockRoom, m_dockRoom->stored());
     m_session.simulation().pause();
     QMainWindow::closeEvent(event);
 }

@@ -36,6 +36,7 @@ private slots:
     void docksHaveTheirRoomBackInAWindowThatGrows_data();
     void docksHaveTheirRoomBackInAWindowThatGrows();
     void dockOpenedInASmallWindowGrowsWithIt();
+    void windowClosedWhileSmallStillGivesTheRoomBack();
     void chosenRoomIsKept_data();
     void chosenRoomIsKept();
     void lowPlotIsReadable();
@@ -160,6 +161,18 @@ void TestWindowSmall::dockOpenedInASmallWindowGrowsWithIt() {
     m_fixture->trigger("show_trade_dock"); // closes it
     const auto *plots = m_fixture->find<QDockWidget>("plot_dock");
     QTRY_COMPARE(plots->height(), 231);
+}
+
+void TestWindowSmall::windowClosedWhileSmallStillGivesTheRoomBack() {
+    const auto height = [this] { return m_fixture->find<QDockWidget>("plot_dock")->height(); };
+    QTRY_COMPARE(height(), 231);
+    m_fixture->window().resize(640, 464);
+    QTRY_VERIFY(height() < 200);
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    QTRY_VERIFY(height() < 200);
+    m_fixture->window().resize(1200, 800);
+    QTRY_COMPARE(height(), 231);
 }
 
 void TestWindowSmall::chosenRoomIsKept_data() {
