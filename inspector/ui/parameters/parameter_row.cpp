@@ -105,6 +105,7 @@ void ParameterRow::addNumber(QGridLayout &grid, int line) {
 
     connect(slider, &QSlider::sliderPressed, this, &ParameterRow::gestureBegun);
     connect(slider, &QSlider::valueChanged, this, [this, scale](int place) { emit edited(scale.valueAt(place)); });
+    connect(m_box, &QLineEdit::textEdited, this, &ParameterRow::gestureBegun);
     connect(m_box, &QLineEdit::editingFinished, this, &ParameterRow::gestureBegun);
     connect(m_box, &NumberBox::entered, this, &ParameterRow::edited);
     m_show = [this, slider, scale](double value) {

@@ -45,6 +45,7 @@ private slots:
     void oneUndoTakesBackOneDrag();
     void twoDragsAreUndoneOneByOne();
     void redoDoesItAgain();
+    void aTypedNumberIsUndoneWithoutTheDragBeforeIt();
     void undoIsTheWindowsOnceANumberCounts();
     void undoIsTheNumbersWhileItIsTyped();
     void undoTakesBackAChosenStepperAndTimeStep();
@@ -224,6 +225,16 @@ void TestWindowParameters::twoDragsAreUndoneOneByOne() {
     QVERIFY(slider->value() > between);
     m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(slider->value(), between);
+}
+
+void TestWindowParameters::aTypedNumberIsUndoneWithoutTheDragBeforeIt() {
+    auto *slider = m_fixture->find<QSlider>("restitution_wall_slider");
+    dragBy(slider, 20);
+    const int dragged = slider->value();
+    type(m_fixture->find<NumberBox>("restitution_wall_box"), "0.25");
+    QVERIFY(slider->value() < dragged);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(slider->value(), dragged);
 }
 
 void TestWindowParameters::undoIsTheWindowsOnceANumberCounts() {
