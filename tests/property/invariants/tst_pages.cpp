@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Statements of docs/accuracy.md on all inputs that no other suite tests with random ones.
+// Statements of docs/accuracy.md on all inputs that no other suite tests with random ones, and tables of steppers.
 #include "support/effort.h"
 #include "support/experiment.h"
+#include "support/files.h"
 #include "support/random.h"
 #include "support/stepper_rows.h"
 #include "support/tolerance.h"
@@ -35,6 +36,8 @@ private slots:
     void smoothWallLeavesLessOfTheSpeedToABallThatRollsAgain();
     void wayBelowHalfARoundingIsNone_data() { addStepperAndModelRows(); }
     void wayBelowHalfARoundingIsNone();
+    void tableHasEachStepper_data();
+    void tableHasEachStepper();
 };
 
 /// Between impacts both models are the same while tan(tilt) <= 7/2 of the sliding friction.
@@ -97,6 +100,26 @@ void TestPages::wayBelowHalfARoundingIsNone() {
         QVERIFY2(ball.step(dt), ball.error());
         QCOMPARE(ball.state.position.x == start, isSmall);
     }
+}
+
+void TestPages::tableHasEachStepper_data() {
+    QTest::addColumn<QByteArray>("page");
+    QTest::addColumn<QByteArray>("cells");
+    const auto row = [](const char *page, const QByteArray &cells) {
+        QTest::addRow("%s: %s", page, cells.trimmed().constData()) << QByteArray(page) << cells;
+    };
+    for (const QByteArray &id : stepperIds()) {
+        row("README.md", "| `" + id + "` |");
+        row("libphysics/docs/accuracy.md", "\n| `" + id + "` |");
+        row("libphysics/docs/model.md", "\n| `" + id + "` |");
+    }
+    row("libphysics/README.md", "\n| case | " + stepperIds().join(" | ") + " |\n"); // by extremes_table
+}
+
+void TestPages::tableHasEachStepper() {
+    QFETCH(QByteArray, page);
+    QFETCH(QByteArray, cells);
+    QVERIFY(contentOf(PROJECT_FOLDER "/" + page).contains(cells));
 }
 
 QTEST_GUILESS_MAIN(TestPages)
