@@ -88,11 +88,11 @@ phys_status respondNow(const Touching &touching, MovingBall &ball, Response &res
 
 bool findExchange(const Motion &motion, const Touching &touching, const Response &response, const MovingBall &ball,
                   Exchange &exchange) {
-    const double rounding = 4.0 * ball.moment().rounding;
+    const double rounding = 4.0 * ball.moment().rounding, noForce = kFits * accelerationScale(ball.moment());
     uint32_t pressing = 0;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         if (response.reactions[i].mode == Mode::sticking || response.reactions[i].mode == Mode::starting) return false;
-        if (!(response.reactions[i].pressure > 0.0)) continue;
+        if (response.reactions[i].pressure <= noForce) continue;
         if (pressing == 3 || !pushOf(motion, touching.held(i), ball, exchange.pushes[pressing])) return false;
         exchange.contacts[pressing++] = i;
     }
@@ -107,7 +107,7 @@ bool findExchange(const Motion &motion, const Touching &touching, const Response
     bool isFound = false;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Held &held = touching.held(i);
-        if (response.reactions[i].pressure > 0.0 || !isStraightAlong(i)) continue;
+        if (response.reactions[i].pressure > noForce || !isStraightAlong(i)) continue;
         if (std::abs(glm::dot(held.normal, exchange.line)) > rounding) continue;
         bool isOpposite = false; // a squeeze of both moves nothing
         for (size_t k = 0; k < pressing; ++k) isOpposite = isOpposite || held.normal == -normal(k);

@@ -148,7 +148,7 @@ void Series::findShared() {
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         if (contact.needsRate()) return;
-        if (contact.partner < m_count || !(contact.N[0] > 0.0)) continue;
+        if (contact.partner < m_count || !(contact.N[0] > 0.0) || isIdleBesideOther(contact)) continue;
         if (shared.count == 4) return;
         shared.contacts[shared.count++] = i;
     }

@@ -32,6 +32,7 @@ private slots:
     void startsBackAlongAKerbAgainstResistance_data();
     void startsBackAlongAKerbAgainstResistance();
     void aFloorThatOpensAtOnceTurnsNoBall();
+    void aRoofWithoutPressureChangesNoSlip();
     void aWallToWhichTheBallWouldReturnIsntLeft_data();
     void aWallToWhichTheBallWouldReturnIsntLeft();
 };
@@ -289,6 +290,23 @@ void ExactContacts::aFloorThatOpensAtOnceTurnsNoBall() {
     QCOMPARE(run.state.spin.x, 0.0);
     QCOMPARE(run.state.spin.y, 0.0);
     QCOMPARE(run.state.spin.z, 10.0);
+}
+
+/// A ball slips along floor and kerb under a roof as high as it, to which nothing presses it but rounding.
+void ExactContacts::aRoofWithoutPressureChangesNoSlip() {
+    const phys_box kerb{{-0.05, 0.006, 0}, {0.05, 0.024, 0.003163435666872539}};
+    const phys_box roof{{-0.05, -0.05, 0.012}, {0.05, 0.05, 0.018}};
+    const auto speedUnder = [&](const std::vector<phys_box> &boxes) {
+        Run run(boxes, 0.006, {0, 0.0007128549495943316, 0.006}, {0.014, 0, 0});
+        run.params.model = PHYS_MODEL_RIGID;
+        run.params.sliding_friction = 0.2;
+        run.params.wall_friction = 0.0;
+        run.params.gravity = {2.16, -1.5, -9.45};
+        run.state.spin = {-36.7, 0.34, 9.06};
+        run.step(0.04);
+        return run.state.velocity.x;
+    };
+    QVERIFY(std::abs(speedUnder({kFloor, kerb, roof}) - speedUnder({kFloor, kerb})) <= 64.0 * kU);
 }
 
 void ExactContacts::aWallToWhichTheBallWouldReturnIsntLeft_data() {
