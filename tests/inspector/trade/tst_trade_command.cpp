@@ -4,6 +4,7 @@
 #include "core/program/trade_command.h"
 #include "core/trade/trade_svg.h"
 #include "core/trade/trade_table.h"
+#include "inspector/core/scenes.h"
 #include "support/compare.h"
 #include "support/files.h"
 
@@ -106,7 +107,7 @@ void TestTradeCommand::stepSizesReplaceTheUsualOnesOrJoinThem() {
 void TestTradeCommand::wrongUseIsOneLine_data() {
     QTest::addColumn<QString>("words");
     QTest::addColumn<QString>("line");
-    const auto row = [](const char *words, const char *line) { QTest::newRow(words) << words << line; };
+    const auto row = [](const char *words, const QString &line) { QTest::newRow(words) << words << line; };
     row("--under 1mm", "--under: needs --trade");
     row("--plot x.svg", "--plot: needs --trade");
     row("--trade 1 --under 1", "--under: expected a length above 0, as 1mm, 5um, 0.001m or 0.1R, found '1'");
@@ -118,7 +119,7 @@ void TestTradeCommand::wrongUseIsOneLine_data() {
     row("--share 0.5", "--share: needs --trade");
     row("--trade 1 --share 0", "--share: expected a number from 1e-06 to 1, found '0'");
     row("--trade 1 --unknown tilt", "--unknown: expected an amount above 0, as tilt=0.1deg; found ''");
-    row("--trade 99", "--trade: expected 1 to 10, found 99");
+    row("--trade 99", QString("--trade: expected 1 to %1, found 99").arg(levelCount()));
 }
 
 void TestTradeCommand::wrongUseIsOneLine() {
