@@ -11,6 +11,8 @@ namespace {
 
 constexpr uint32_t kMostChosen = 4;                ///< contacts
 constexpr uint64_t kMostChoice = Work::kMost / 80; ///< work of one choice
+constexpr uint64_t kCounted = 2;                   ///< of so many units of a choice one counts: its equations are small
+constexpr double kSettled = 1e-9;                  ///< change of a direction that is left to Newton's method
 
 struct Substep {
     const Moment &moment;
@@ -95,6 +97,7 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
     Substep substep{moment, rollingFriction, h};
     if (isOnlySolution(substep, contacts)) return;
     Moment stopped = moment;
+    stopped.settled = kSettled;
     if (rollingFriction > 0.0 && mayStop(substep)) stopped.spin.x = stopped.spin.y = 0.0;
     std::array<Held, kMostHeld> held;
     std::array<uint32_t, kMostHeld> number;
@@ -107,7 +110,7 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
     const std::span<const Held> list(held.data(), count);
     Work own(kMostChoice);
     const Response response = respond(stopped, list, own);
-    work.add(own.done());
+    work.add(own.done() / kCounted);
     if (!response.isFound || own.isTooMuch()) return;
     const Vec3 resisting = h * resistanceIn(response, list, moment.radius);
     for (uint32_t i = 0; i < count; ++i) {

@@ -25,16 +25,20 @@ void addRows(const Combination &c, uint32_t i, dense::Equations &equations, cons
              double bend) {
     const Held &contact = c.held[i];
     const bool sticks = c.sticks(i);
-    for (uint32_t row = 0; row < (sticks ? 3U : 1U); ++row) {
-        Vec3 axis = c.apart(i);
-        if (sticks) axis = {row == 0 ? 1.0 : 0.0, row == 1 ? 1.0 : 0.0, row == 2 ? 1.0 : 0.0};
-        dense::Values &factors = equations.add(sticks ? glm::dot(axis, slipRate) : -(glm::dot(axis, free) + bend));
-        for (uint32_t j = 0; j < c.count(); ++j) {
-            for (uint32_t part = 0; part < c.width(j); ++part) {
-                Vec3 change = c.pushPer(j, part);
-                if (sticks) change -= c.moment.radius * glm::cross(c.spinPer(j, part), contact.normal);
-                factors[c.column[j] + part] = glm::dot(axis, change);
+    const Vec3 apart = c.apart(i);
+    std::array<dense::Values *, 3> rows{};
+    for (uint32_t row = 0; row < c.width(i); ++row)
+        rows[row] = &equations.add(sticks ? slipRate[static_cast<int>(row)] : -(glm::dot(apart, free) + bend));
+    for (uint32_t j = 0; j < c.count(); ++j) {
+        for (uint32_t part = 0; part < c.width(j); ++part) {
+            Vec3 change = c.pushPer(j, part);
+            const uint32_t unknown = c.column[j] + part;
+            if (!sticks) {
+                (*rows[0])[unknown] = glm::dot(apart, change);
+                continue;
             }
+            change -= c.moment.radius * glm::cross(c.spinPer(j, part), contact.normal);
+            for (uint32_t row = 0; row < 3; ++row) (*rows[row])[unknown] = change[static_cast<int>(row)] + 0.0;
         }
     }
 }

@@ -7,8 +7,6 @@
 
 namespace phys {
 
-inline constexpr double kSettled = 4e-15; ///< change of a direction that counts as rounding
-
 /// One combination of modes and its equations, model.md 14.1.
 struct Combination {
     const Moment &moment;
@@ -23,7 +21,8 @@ struct Combination {
     std::array<uint32_t, kMostHeld> partner{};
     std::array<double, kMostHeld> facing{};
     uint32_t unknowns = 0;
-    uint32_t spent = 0; ///< bits of contacts whose friction is spent: they may start without an acceleration
+    bool isOtherFound = false; ///< another combination fits within rounding already
+    uint32_t spent = 0;        ///< bits of contacts whose friction is spent: they may start without an acceleration
 
     uint32_t count() const { return static_cast<uint32_t>(held.size()); }
     std::span<const Reaction> list() const { return {reactions.data(), held.size()}; }

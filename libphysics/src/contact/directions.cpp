@@ -8,20 +8,50 @@ namespace {
 
 constexpr int kMostStartPasses = 100; // of the iteration for the directions in which slips and rolling start
 constexpr int kMostPulling = 24;      // with a contact that would have to pull: later passes wouldn't fit
+constexpr int kMostHopeless = 8;      // the same or with a slip that friction would end, if another combination fits
+constexpr int kMostAlternating = 12;  // between the same two directions, of which each asks for the other
 constexpr int kPlainPasses = 8;       // before mixing begins: the first passes turn the directions the right way
 
-/// One direction for each contact, and last that of resistance.
-using Aims = std::array<Vec3, kMostHeld + 1>;
+/// The directions that are sought: of contacts, and last that of resistance.
+class Aims {
+public:
+    Aims() {} // a defaulted one would clear the directions
 
-double dot(const Aims &a, const Aims &b) {
-    double sum = 0.0;
-    for (size_t i = 0; i < a.size(); ++i) sum += glm::dot(a[i], b[i]);
-    return sum;
-}
+    void add(const Vec3 &direction) { m_directions[m_count++] = direction; }
+    const Vec3 &operator[](uint32_t i) const { return m_directions[i]; }
+    const Vec3 &last() const { return m_directions[m_count - 1]; }
 
-void add(Aims &a, double factor, const Aims &b) {
-    for (size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
-}
+    /// Whether any direction is more than a right angle away.
+    bool isOpposite(const Aims &other) const {
+        for (uint32_t i = 0; i < m_count; ++i) {
+            if (glm::dot(m_directions[i], other.m_directions[i]) < 0.0) return true;
+        }
+        return false;
+    }
+    bool isNear(const Aims &other) const {
+        constexpr double kNear = 1e-8;
+        Aims apart = *this;
+        apart.add(-1.0, other);
+        return apart.dot(apart) < kNear * kNear;
+    }
+    double dot(const Aims &other) const {
+        double sum = 0.0;
+        for (uint32_t i = 0; i < m_count; ++i) sum += glm::dot(m_directions[i], other.m_directions[i]);
+        return sum;
+    }
+    void add(double factor, const Aims &other) {
+        for (uint32_t i = 0; i < m_count; ++i) m_directions[i] += factor * other.m_directions[i];
+    }
+    Aims over(double divisor) const {
+        Aims quotient;
+        for (uint32_t i = 0; i < m_count; ++i) quotient.add(m_directions[i] / divisor);
+        return quotient;
+    }
+
+private:
+    std::array<Vec3, kMostHeld + 1> m_directions;
+    uint32_t m_count = 0;
+};
 
 /// Solves x = next(x) faster than fixed-point iteration: Anderson mixing, which treats the changes of the last steps as
 /// those of a linear map.
@@ -30,14 +60,14 @@ public:
     /// A better x from x and next(x).
     Aims mix(const Aims &x, const Aims &next) {
         Aims missing = next, better = next;
-        add(missing, -1.0, x);
+        missing.add(-1.0, x);
         if (m_isBegun) {
             remember(missing, next);
             Aims left = missing;
             for (uint32_t i = 0; i < m_count; ++i) {
-                const double share = dot(m_missing[i], left);
-                add(left, -share, m_missing[i]);
-                add(better, -share, m_next[i]);
+                const double share = m_missing[i].dot(left);
+                left.add(-share, m_missing[i]);
+                better.add(-share, m_next[i]);
             }
         }
         m_lastMissing = missing;
@@ -56,22 +86,19 @@ private:
 
     void remember(const Aims &missing, const Aims &next) {
         Aims change = missing, moved = next;
-        add(change, -1.0, m_lastMissing);
-        add(moved, -1.0, m_lastNext);
+        change.add(-1.0, m_lastMissing);
+        moved.add(-1.0, m_lastNext);
         if (m_count == kDepth) m_count = 0;
-        const double whole = dot(change, change);
+        const double whole = change.dot(change);
         for (uint32_t i = 0; i < m_count; ++i) {
-            const double share = dot(m_missing[i], change);
-            add(change, -share, m_missing[i]);
-            add(moved, -share, m_next[i]);
+            const double share = m_missing[i].dot(change);
+            change.add(-share, m_missing[i]);
+            moved.add(-share, m_next[i]);
         }
-        const double size = std::sqrt(dot(change, change));
+        const double size = std::sqrt(change.dot(change));
         if (!(size > 1e-8 * std::sqrt(whole))) return;
-        for (size_t i = 0; i < change.size(); ++i) {
-            m_missing[m_count][i] = change[i] / size;
-            m_next[m_count][i] = moved[i] / size;
-        }
-        ++m_count;
+        m_missing[m_count] = change.over(size);
+        m_next[m_count++] = moved.over(size);
     }
 };
 
@@ -81,38 +108,53 @@ struct Sought {
     uint32_t rolls = kMostHeld;
 };
 
+/// Directions, and the sizes of the forces that have them.
+struct Asked {
+    Aims aims;
+    std::array<double, kMostHeld + 1> sizes;
+    uint32_t count = 0;
+
+    void add(const Vec3 &direction, double size) {
+        aims.add(direction);
+        sizes[count++] = size;
+    }
+};
+
 /// The directions that follow from the forces under the present ones.
-Aims askedFor(const Combination &c, const Sought &sought) {
-    Aims asked{};
+Asked askedFor(const Combination &c, const Sought &sought) {
+    Asked asked;
     for (uint32_t i = 0; i < c.count(); ++i) {
         if (!(sought.starting >> i & 1U)) continue;
         const Reaction &reaction = c.reactions[i];
         const Vec3 rate = tangential(slipRate(c, i), c.held[i].normal);
-        asked[i] = hat(c.held[i].friction * reaction.pressure * reaction.direction + rate / kSlipPerFriction);
+        const Vec3 force = c.held[i].friction * reaction.pressure * reaction.direction + rate / kSlipPerFriction;
+        asked.add(hat(force), glm::length(force));
     }
     if (sought.rolls == kMostHeld) return asked;
     const Held &ground = c.held[sought.rolls];
     const double most = resistancePerPressure(c.moment, ground) * c.reactions[sought.rolls].pressure;
     // A torque changes the rate by 2/7 of itself at one contact, and by less at several contacts.
     const Vec3 torque = most * c.rolling + kSlipPerFriction * tangential(c.spinAcceleration, ground.normal);
-    if (most > 0.0) asked.back() = torque / std::max(most, glm::length(torque));
+    const double size = std::max(most, glm::length(torque));
+    asked.add(most > 0.0 ? torque / size : Vec3(0.0), size);
     return asked;
 }
 
 Aims aimsOf(const Combination &c, const Sought &sought) {
-    Aims aims{};
+    Aims aims;
     for (uint32_t i = 0; i < c.count(); ++i) {
-        if (sought.starting >> i & 1U) aims[i] = c.reactions[i].direction;
+        if (sought.starting >> i & 1U) aims.add(c.reactions[i].direction);
     }
-    if (sought.rolls != kMostHeld) aims.back() = c.rolling;
+    if (sought.rolls != kMostHeld) aims.add(c.rolling);
     return aims;
 }
 
 void aim(Combination &c, const Sought &sought, const Aims &aims) {
+    uint32_t next = 0;
     for (uint32_t i = 0; i < c.count(); ++i) {
-        if (sought.starting >> i & 1U) c.reactions[i].direction = hat(tangential(aims[i], c.held[i].normal));
+        if (sought.starting >> i & 1U) c.reactions[i].direction = hat(tangential(aims[next++], c.held[i].normal));
     }
-    if (sought.rolls != kMostHeld) c.rolling = aims.back() / std::max(1.0, glm::length(aims.back()));
+    if (sought.rolls != kMostHeld) c.rolling = aims.last() / std::max(1.0, glm::length(aims.last()));
 }
 
 bool pulls(const Combination &c, double zero) {
@@ -120,36 +162,72 @@ bool pulls(const Combination &c, double zero) {
                        [zero](const Reaction &reaction) { return reaction.pressure < -zero; });
 }
 
-/// Whether directions change by no more than the rounding of accelerations implies for forces this small.
-bool areSettled(const Combination &c, const Sought &sought, const Aims &aims, const Aims &asked) {
-    const double scale = accelerationScale(c.moment);
-    const auto isSettled = [&](size_t aim, double force) {
+/// Whether directions change by no more than rounding: that of accelerations for forces this small, and that of a force
+/// of which the slip's rate takes nearly all away.
+bool areSettled(const Combination &c, const Sought &sought, const Aims &aims, const Asked &asked) {
+    const double scale = accelerationScale(c.moment), settled = c.moment.settled;
+    const auto isSettled = [&](uint32_t aim, double force) {
         constexpr double kMost = 1e-6, kRoundings = 4.0 * 0x1p-52;
-        const double within = force > 0.0 ? std::clamp(kRoundings * scale / force, kSettled, kMost) : kSettled;
-        return glm::length(asked[aim] - aims[aim]) <= within;
+        const double rounding = std::max(scale / force, asked.sizes[aim] > 0.0 ? force / asked.sizes[aim] : 0.0);
+        const double within = force > 0.0 ? std::clamp(kRoundings * rounding, settled, kMost) : settled;
+        return glm::length(asked.aims[aim] - aims[aim]) <= within;
     };
+    uint32_t next = 0;
     for (uint32_t i = 0; i < c.count(); ++i) {
-        const double pressure = c.reactions[i].pressure;
-        if ((sought.starting >> i & 1U) && !isSettled(i, c.held[i].friction * pressure)) return false;
-        if (sought.rolls == i && !isSettled(kMostHeld, c.held[i].resistance * pressure)) return false;
+        if (!(sought.starting >> i & 1U)) continue;
+        if (!isSettled(next++, c.held[i].friction * c.reactions[i].pressure)) return false;
     }
-    return true;
+    if (sought.rolls == kMostHeld) return true;
+    return isSettled(next, c.held[sought.rolls].resistance * c.reactions[sought.rolls].pressure);
 }
+
+/// Whether friction asks for less than it has at a contact that should start.
+bool wouldStick(const Combination &c, const Sought &sought, const Asked &asked) {
+    uint32_t next = 0;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (!(sought.starting >> i & 1U)) continue;
+        if (asked.sizes[next++] < (1.0 - kRoughly) * c.held[i].friction * c.reactions[i].pressure) return true;
+    }
+    return false;
+}
+
+/// Whether directions alternate between opposite ones: mixing leaves that soon, or never.
+class Alternation {
+public:
+    bool isEndless(const Aims &aims, const Aims &asked) {
+        const bool alternates = aims.isOpposite(asked) && m_passes > 1 && aims.isNear(m_beforeLast);
+        m_alternating = alternates ? m_alternating + 1 : 0;
+        m_beforeLast = m_last;
+        m_last = aims;
+        ++m_passes;
+        return m_alternating == kMostAlternating;
+    }
+
+private:
+    Aims m_last, m_beforeLast;
+    int m_passes = 0, m_alternating = 0;
+};
 
 /// Turns the directions until they agree with the accelerations. False if they don't converge.
 bool settleDirections(Combination &c, const Sought &sought) {
     solve(c);
     if (sought.starting == 0 && sought.rolls == kMostHeld) return true;
     Mixing mixing;
-    int pullingPasses = 0;
+    Alternation alternation;
+    int pullingPasses = 0, hopelessPasses = 0;
     const double zero = kRoughly * accelerationScale(c.moment);
     for (int pass = 0; pass < kMostStartPasses && !c.work.isTooMuch(); ++pass) {
-        const Aims aims = aimsOf(c, sought), asked = askedFor(c, sought);
+        const Aims aims = aimsOf(c, sought);
+        const Asked asked = askedFor(c, sought);
         const bool isSettled = areSettled(c, sought, aims, asked);
-        aim(c, sought, isSettled || pass < kPlainPasses ? asked : mixing.mix(aims, asked));
+        aim(c, sought, isSettled || pass < kPlainPasses ? asked.aims : mixing.mix(aims, asked.aims));
         solve(c);
         if (isSettled) return true;
-        if (pulls(c, zero) && ++pullingPasses == kMostPulling) return false;
+        const bool isPulling = pulls(c, zero);
+        if (isPulling && ++pullingPasses == kMostPulling) return false;
+        const bool isHopeless = isPulling || wouldStick(c, sought, asked);
+        if (c.isOtherFound && isHopeless && ++hopelessPasses == kMostHopeless) return false;
+        if (alternation.isEndless(aims, asked.aims)) return false;
     }
     return false;
 }

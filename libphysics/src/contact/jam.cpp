@@ -47,7 +47,7 @@ double settledWithin(const Jam &jam, const Vec3 &slip) {
     constexpr double kMost = 1e-6;
     const double rounding = 4.0 * 0x1p-52 * speedScale(jam.before);
     const double speed = glm::length(slip);
-    return speed > 0.0 ? std::clamp(rounding / speed, kSettled, kMost) : kSettled;
+    return speed > 0.0 ? std::clamp(rounding / speed, jam.before.settled, kMost) : jam.before.settled;
 }
 
 /// Like `push`, with friction opposing the remaining slips. False if their directions don't converge.

@@ -45,6 +45,8 @@ struct Fit {
 constexpr Fit kFit[] = {{kFits, false},      {kFits, true},     {1e3 * kFits, false},
                         {1e3 * kFits, true}, {kRoughly, false}, {kRoughly, true}};
 constexpr size_t kNoFit = std::size(kFit);
+constexpr size_t kFirstRough = 4; ///< all that a combination can reach whose directions haven't converged
+static_assert(kFit[kFirstRough].tolerance == kRoughly && kFit[kFirstRough - 1].tolerance < kRoughly);
 constexpr size_t kUnranked = 2 * kNoFit;
 
 /// Size of the accelerations that a slip's direction is part of. That of the spin may be far larger.
@@ -126,6 +128,12 @@ bool lasts(const Combination &c, const Excluded &excluded, const Response &known
     return true;
 }
 
+/// Whether a combination presses less than the best one so far, or as much with more contacts.
+bool isBetter(const Combination &c, const Response &best, double scale) {
+    const double more = sumOfPressures(c.list()) - sumOfPressures(best.list());
+    return more < -1e-9 * scale || (more <= 1e-9 * scale && closedContacts(c.list()) > closedContacts(best.list()));
+}
+
 /// Tries all combinations. Of those that fit best it takes the one with the smallest sum of N, and of equal sums the
 /// one with the most contacts; one that doesn't last only if none does.
 Response enumerate(const Moment &moment, std::span<const Held> held, Work &work, const Excluded &excluded,
@@ -137,17 +145,16 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
     do {
         Combination c{moment, held, work};
         c.spent = excluded.sticking;
+        c.isOtherFound = bestRank == 0;
         if (!setModes(c, numbers, known, excluded)) continue;
         const bool isSettled = settle(c);
+        if (!isSettled && bestRank < kFirstRough) continue;
+        if (bestRank == 0 && !isBetter(c, best, scale)) continue;
         judge(c);
         const size_t fit = fitOf(c, isSettled, bestRank, scale);
-        if (fit == kNoFit) continue;
-        const double more = sumOfPressures(c.list()) - sumOfPressures(best.list());
-        const bool isBetter =
-            more < -1e-9 * scale || (more <= 1e-9 * scale && closedContacts(c.list()) > closedContacts(best.list()));
-        if (fit == bestRank && !isBetter) continue;
+        if (fit == kNoFit || (fit == bestRank && !isBetter(c, best, scale))) continue;
         const size_t rank = lasts(c, excluded, known) ? fit : kNoFit + fit;
-        if (rank > bestRank || (rank == bestRank && !isBetter)) continue;
+        if (rank > bestRank || (rank == bestRank && !isBetter(c, best, scale))) continue;
         bestRank = rank;
         best.reactions = c.reactions;
         best.acceleration = c.acceleration;

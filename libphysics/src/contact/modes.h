@@ -49,6 +49,7 @@ struct Moment {
     Vec3 gravity{0.0};
     double radius = 0.0;
     double rounding = 16.0 * 0x1p-52; ///< relative, of the normals
+    double settled = 4e-15;           ///< change of a direction that counts as rounding
 };
 
 /// The modes that hold, and the resulting accelerations.
