@@ -280,15 +280,22 @@ void SweptStep::keepContacts(const Vec3 &velocity) {
     }
 }
 
-/// Whether a ball that approaches all its contacts at once rocks between them, too slow to climb out over any.
+/// Whether a ball that approaches all its contacts at once rocks between them: too slow to climb out over any, and
+/// gravity drives it into each while the others hold it.
 bool SweptStep::isBound(double speed) const {
     const Vec3 gravity = m_context.setting.gravity();
-    NormalSpan all;
-    for (const Contact &contact : m_contacts) all.add(contact.normal);
-    const double pull = glm::length(gravity - all.across(gravity));
+    const auto heldBut = [&](const Contact *free) {
+        NormalSpan span;
+        for (const Contact &contact : m_contacts) {
+            if (&contact != free) span.add(contact.normal);
+        }
+        return span.across(gravity);
+    };
+    const double size = glm::length(gravity), pull = glm::length(gravity - heldBut(nullptr));
     return std::all_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
         const double rise = pull + glm::dot(gravity, contact.normal); // per radius, times the pull
-        return speed <= contact.restSpeed && speed * speed <= rise * m_context.radius();
+        const bool isDriven = glm::dot(heldBut(&contact), contact.normal) <= kStill * size;
+        return isDriven && speed <= contact.restSpeed && speed * speed <= rise * m_context.radius();
     });
 }
 
