@@ -119,6 +119,8 @@ private slots:
     void parameterHasItsEffect_data();
     void parameterHasItsEffect();
     void everyRowIsCovered();
+    void effectNeedsNoReport_data() { parameterHasItsEffect_data(); }
+    void effectNeedsNoReport();
     void asReportedTakesSubstepsAway_data();
     void asReportedTakesSubstepsAway();
     void orientationTurnsOnlyWhenAskedFor_data() { addStepperAndModelRows(); }
@@ -164,6 +166,26 @@ void TestParameterEffects::everyRowIsCovered() {
             return effect.direction != 0 && std::strcmp(effect.row, rows[i].id) == 0;
         });
         QVERIFY2(covered, rows[i].id);
+    }
+}
+
+/// Steps without a report may take a shorter way, which has to know the parameter as well.
+void TestParameterEffects::effectNeedsNoReport() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(int, effect);
+    const Effect &expected = kEffects[static_cast<size_t>(effect)];
+    Experiment reported(leftWall(), stepper, expected.model);
+    Experiment silent(leftWall(), stepper, expected.model);
+    for (Experiment *ball : {&reported, &silent}) {
+        QCOMPARE(phys_param_set(&ball->params, rowWithId(expected.row), expected.high, nullptr), PHYS_OK);
+        ball->roll(-1.0, 0.25);
+    }
+    phys_state &state = silent.state;
+    for (int i = 0; i < 256; ++i) {
+        reported.step(kDt);
+        QCOMPARE(phys_step(silent.stepper(), &silent.params, kDt, &state, &state, nullptr, nullptr), reported.status());
+        if (reported.status()) return;
+        QVERIFY(sameBits(state, reported.state));
     }
 }
 
