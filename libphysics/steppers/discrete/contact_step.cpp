@@ -267,8 +267,13 @@ void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec
 
 ExplicitLanding::ExplicitLanding(const StepContext &context, const Contacts &contacts, double h, Ball &ball)
     : m_early(-0.5 * h * context.params().gravity.z) {
+    // It would make the ball approach what it touches from below, which then would take part in the landing from its
+    // beginning, not only once the floor throws the ball against it.
+    const bool isCovered = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+        return contact.normal.z < 0.0 && touches(context, contact);
+    });
     // Also where that velocity is too slow to bounce.
-    m_lands = m_early > 0.0 && std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+    m_lands = m_early > 0.0 && !isCovered && std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
                   return contact.isTop && -ball.velocity.z > std::max(m_early, contact.restSpeed);
               });
     if (m_lands) ball.velocity.z += m_early;

@@ -105,6 +105,8 @@ private slots:
     void eventsWithoutRoomAreCounted();
     void jointOfAStraightEdgeKicksNoBall_data() { addStepperRows(); }
     void jointOfAStraightEdgeKicksNoBall();
+    void floorThrowsTheBallAgainstARoofThatItTouches_data() { addStepperRows(); }
+    void floorThrowsTheBallAgainstARoofThatItTouches();
 };
 
 void TestImpacts::headOnGivesTheRestitutionsShareBack_data() {
@@ -517,6 +519,28 @@ void TestImpacts::jointOfAStraightEdgeKicksNoBall() {
     ball.state.velocity.x = 0.5;
     QVERIFY2(ball.stepTimes(150, 0.001), ball.error());
     COMPARE_WITHIN(ball.state.velocity.x, 5.0 / 7.0 * 0.5, 1e-9);
+}
+
+/// It moves along the roof's edge, which takes part in the landing only from the second round on, 13.2.
+void TestImpacts::floorThrowsTheBallAgainstARoofThatItTouches() {
+    QFETCH(QByteArray, stepper);
+    const SceneBuilder scene = SceneBuilder()
+                                   .ball(0.01)
+                                   .box({{-0.05, -0.06, -0.07}, {0.06, 0.04, -0.01}})
+                                   .box({{-0.04, -0.06, 0.0071257166925936038}, {0.05, -0.007015993273720612, 0.04}})
+                                   .start({0.0, 0.0, 0.0});
+    Experiment ball(scene, stepper, PHYS_MODEL_RIGID);
+    ball.params.gravity = {-4.4249556546483291, -1.637155496214179, -8.6009063089660192};
+    ball.params.sliding_friction = 0.89412145340126925;
+    ball.params.wall_friction = ball.params.rolling_friction = 0.0;
+    ball.params.restitution_floor = 0.53987902731035398;
+    ball.params.restitution_wall = 0.39634735786429343;
+    ball.state.position = {0.0, 0.0, 0.0};
+    ball.state.velocity = {-1.1240410841161788, -0.16860819357586873, -0.16601192596557032};
+    QVERIFY2(ball.step(1e-9), ball.error());
+    COMPARE_WITHIN(ball.state.velocity.x, -0.80879, 1e-5);
+    COMPARE_WITHIN(ball.state.velocity.y, 0.02319, 1e-5);
+    COMPARE_WITHIN(ball.state.velocity.z, 0.00527, 1e-5);
 }
 
 QTEST_GUILESS_MAIN(TestImpacts)
