@@ -14,11 +14,13 @@ bool isStraight(const Held &held, const Vec3 &line, double rounding) {
     return glm::length(held.across * line) <= rounding;
 }
 
-/// The force of a slipping contact per N. False for another one.
+/// The force of a slipping contact per N. False for another one, and for a slip that all but ends: its direction may be
+/// rounding.
 bool pushOf(const Motion &motion, const Held &held, const MovingBall &ball, Vec3 &push) {
     const Moment moment = ball.moment();
     const Vec3 slip = slipAt(motion, held.normal, moment.radius);
-    if (held.isGlued || (held.friction > 0.0 && isNoSlip(moment, slip))) return false;
+    const bool ends = glm::length(slip) <= kSlipEnds * speedScale(moment);
+    if (held.isGlued || (held.friction > 0.0 && ends)) return false;
     push = held.normal - held.friction * hat(slip);
     return true;
 }
@@ -35,8 +37,10 @@ double roundingOf(const Exchange &exchange, const Motion &motion, const Touching
         const double slip = glm::length(slipAt(motion, held.normal, ball.radius()));
         rounding += held.friction * pressure * kDirection * speedScale(ball.moment()) / slip;
     }
-    const double angle = exchange.determinant(exchange.pushes[0], exchange.pushes[1], exchange.pushes[2]);
-    return rounding / std::min(1.0, std::abs(angle));
+    double angle = 0.0; // the largest of the sets that may carry the load, so that it is the same for each of them
+    for (size_t i = 0; i < exchange.count; ++i) angle = std::max(angle, std::abs(exchange.shares[i]));
+    angle *= std::abs(exchange.determinant(exchange.pushes[0], exchange.pushes[1], exchange.pushes[2]));
+    return rounding / std::min(1.0, angle);
 }
 
 /// Rate of change of the sum of shares under these accelerations, 1/s.
