@@ -20,7 +20,7 @@ change() {
 build() {
     find "$copy/src" "$copy/steppers" -name '*.cpp' ! -name '*_windows.cpp' | LC_ALL=C sort |
         sed 's/.*/#include "&"/' >"$copy/library.cpp"
-    ${CMAKE_CXX_COMPILER_LAUNCHER:-} "${CXX:-g++}" -std=c++20 -g -O0 -fPIC -w -fvisibility=hidden \
+    ${CMAKE_CXX_COMPILER_LAUNCHER:-} "${CXX:-g++}" -std=c++20 -g -O0 $quick_flags -fPIC -fvisibility=hidden \
         -fvisibility-inlines-hidden -I"$copy/include" -I"$copy/src" -I"$copy/steppers" \
         -c "$copy/library.cpp" -o "$copy/library.o"
     g++ -shared -Wl,-soname,libphysics.so.1 -Wl,--version-script="$copy/src/physics.map" -o "$copy/libphysics.so" \
