@@ -156,7 +156,7 @@ void TestTradeCommand::lastLineIsTheRecommendation() {
 
 void TestTradeCommand::progressFitsIntoALineAndIsErased() {
     const QStringList lines = runOf(kShort.trimmed()).progress.split("\r\x1b[K");
-    QVERIFY(lines.size() > 4 * phys_registry_count(nullptr)); // errors and costs of each in two models
+    QVERIFY(lines.size() > 4 * qsizetype(phys_registry_count(nullptr))); // errors and costs of each in two models
     QCOMPARE(lines.first(), QString());
     QCOMPARE(lines.last(), QString());
     for (const QString &line : lines) QVERIFY2(line.size() < 80 && !line.contains('\n'), qPrintable(line));
