@@ -343,21 +343,50 @@ Vec3 leastWay(std::span<Push> pushes, double negligible) {
     return 0.5 * (way + leastPush(pushes, negligible, work));
 }
 
+/// The contacts that hold the ball at its place before an impact: it neither approaches nor leaves them.
+NormalSpan lastingNormals(const StepContext &context, const Contacts &contacts, const Motion &before) {
+    NormalSpan lasting;
+    const double negligible = negligibleSpeed(before, context.radius());
+    for (const Contact &contact : contacts) {
+        const double speed = std::abs(glm::dot(before.velocity, contact.normal));
+        if (touches(context, contact) && speed <= std::max(contact.restSpeed, negligible)) lasting.add(contact.normal);
+    }
+    return lasting;
+}
+
+/// The share of an approach that impacts gave back: less than the restitution where other contacts took some of it.
+double rebound(const Contact &contact, double approach, const Motion &after) {
+    constexpr double kRounded = 1.0 - 1e-9;
+    if (approach <= contact.restSpeed) return 0.0;
+    const double returned = std::max(0.0, glm::dot(after.velocity, contact.normal)) / approach;
+    return returned < kRounded * contact.restitution ? returned : contact.restitution;
+}
+
 /// The shortest way to where an impact leaves the ball: restitution takes its share of the gaps too, model.md 13.5.
 /// Only of those that the motion before it closes within h, so that the way is never longer than that motion, and
-/// without what leads into other contacts: the way to a kerb leads along the floor.
-Vec3 wayToImpact(const StepContext &context, const Contacts &contacts, double h, const Ball &before) {
+/// without what leads into other contacts, or off those that last: the way to a kerb, or to the edge of a roof, leads
+/// along the floor. A ball lifted off it would fall, for the root of h.
+Vec3 wayToImpact(const StepContext &context, const Contacts &contacts, double h, const Motion &before,
+                 const Motion &after) {
+    constexpr double kParallel = 1e-9;
     std::array<Push, Contacts::kMost> closing, others;
     uint32_t closingCount = 0, otherCount = 0;
+    const NormalSpan lasting = lastingNormals(context, contacts, before);
     for (const Contact &contact : contacts) {
-        const double approach = -glm::dot(before.velocity, contact.normal);
-        const double restitution = approach > contact.restSpeed ? contact.restitution : 0.0;
-        const double way = (1.0 - restitution * restitution) * contact.gap;
-        const bool isReached = approach > 0.0 && contact.gap <= h * (approach + 0.5 * contact.restSpeed);
+        const Vec3 across = lasting.across(contact.normal);
+        const double share = across == contact.normal ? 1.0 : glm::length(across);
+        if (share <= kParallel) continue;
+        const double approach = -glm::dot(before.velocity, across);
+        const double returned = rebound(contact, approach, after);
+        // A share of the approach along lasting contacts that goes on after the impact leads there by itself.
+        const double kept = share < 1.0 ? std::clamp(-glm::dot(after.velocity, across) / approach, 0.0, 1.0) : 0.0;
+        const double way = (1.0 - returned * returned) * (1.0 - kept) * contact.gap;
+        const double gain = 0.5 * share * share * contact.restSpeed; // what gravity adds to it within h
+        const bool isReached = approach > 0.0 && contact.gap <= h * (approach + gain);
         if (isReached && way > context.setting.tolerance)
-            closing[closingCount++] = {-contact.normal, way};
+            closing[closingCount++] = {-across / share, way / share};
         else
-            others[otherCount++] = {contact.normal, -std::max(0.0, contact.gap)};
+            others[otherCount++] = {across / share, -std::max(0.0, contact.gap) / share};
     }
     if (closingCount == 0) return Vec3(0.0);
     const double negligible = 0.5 * context.setting.tolerance;
@@ -391,7 +420,7 @@ bool hit(const StepContext &context, Contacts &contacts, double after, double h,
         impacts = resolveImpacts(contacts, context.radius(), motion, work);
     }
     if (impacts.rounds > 1) context.work.add(work.done()); // a single round belongs to the substep, or event
-    const Vec3 way = wayToImpact(context, contacts, h, ball);
+    const Vec3 way = wayToImpact(context, contacts, h, motionOf(ball), motion);
     setMotion(motion, ball);
     moveToImpact(context, impacts, way, contacts, ball);
     context.report.lostImpact(impacts.lostNormal);

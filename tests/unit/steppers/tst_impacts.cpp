@@ -76,6 +76,10 @@ private slots:
     void topEdgeOfAWallHasTheWallsRestitution();
     void topCornerOfAWallHasTheWallsRestitution_data() { addStepperAndModelRows(); }
     void topCornerOfAWallHasTheWallsRestitution();
+    void hitAtARoofsEdgeLeavesTheBallOnItsFloor_data() { addStepperAndModelRows(); }
+    void hitAtARoofsEdgeLeavesTheBallOnItsFloor();
+    void ballThatFloorAndRoofStopTouchesBoth_data() { addStepperAndModelRows(); }
+    void ballThatFloorAndRoofStopTouchesBoth();
     void hopsUnderAnEdgeTakeNoSpeedAlongTheFloor_data() { addStepperRows(); }
     void hopsUnderAnEdgeTakeNoSpeedAlongTheFloor();
     void hopsOnTheFloorEnd_data() { addStepperRows(); }
@@ -227,6 +231,44 @@ void TestImpacts::topCornerOfAWallHasTheWallsRestitution() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
     bouncesOffTheWallsEnd(stepper, model, {-2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0}, 0.0);
+}
+
+/// A ball on a floor, half a step before the edge of a roof, which it meets with its upper half: edge and floor stop it
+/// in ever smaller impacts.
+Experiment beforeARoofsEdge(const QByteArray &stepper, uint32_t model, double dt) {
+    constexpr double kSpeed = 0.5, kNormalX = 0.8, kNormalZ = 0.6;
+    const auto scene = SceneBuilder()
+                           .ball(kRadius)
+                           .floor(-1.0, -1.0, 1.0, 1.0)
+                           .box({{kNormalX * kRadius, -1.0, (1.0 + kNormalZ) * kRadius}, {1.0, 1.0, 4.0 * kRadius}})
+                           .start(-0.5, 0.0);
+    Experiment ball(scene, stepper, model);
+    ball.setPosition(-0.5 * kSpeed * dt, 0.0);
+    ball.roll(kSpeed, 0.0);
+    ball.params.restitution_wall = 0.25;
+    ball.params.restitution_floor = 0.0;
+    return ball;
+}
+
+/// Lifted off the floor it would fall, for the root of the step.
+void TestImpacts::hitAtARoofsEdgeLeavesTheBallOnItsFloor() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    constexpr double dt = 0x1p-16;
+    Experiment ball = beforeARoofsEdge(stepper, model, dt);
+    QVERIFY2(ball.step(dt), ball.error());
+    QVERIFY(ball.report.event_count > 0);
+    COMPARE_WITHIN(ball.state.position.z, kRadius, rounding(8, 1.0));
+}
+
+/// What the floor takes of the edge's rebound isn't left as a gap, either.
+void TestImpacts::ballThatFloorAndRoofStopTouchesBoth() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    constexpr double dt = 0x1p-16;
+    Experiment ball = beforeARoofsEdge(stepper, model, dt);
+    QVERIFY2(ball.step(dt), ball.error());
+    COMPARE_WITHIN(ball.state.position.x, 0.0, kNormalGravity * dt * dt);
 }
 
 /// The last of ever smaller bounces between the floor and a low edge, with the spin that the ball had in flight.
