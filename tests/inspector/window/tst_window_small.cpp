@@ -288,6 +288,7 @@ void TestWindowSmall::dockBesideTheBouncesIsWhole() {
 void TestWindowSmall::legendIsWholeInANarrowPlot() {
     auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
     m_fixture->window().resize(800, 600);
+    m_fixture->window().refresh(); // fits the docks to it, before they get another width
     const QList<QDockWidget *> side{m_fixture->find<QDockWidget>("parameters_dock"),
                                     m_fixture->find<QDockWidget>("levels_dock")};
     m_fixture->window().resizeDocks(side, {430, 430}, Qt::Horizontal);
