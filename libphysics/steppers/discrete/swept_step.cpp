@@ -71,12 +71,13 @@ SweptStep::Course SweptStep::move(double t, Reporter &reporter, Work &work, Ball
         book(step.move(ball), reporter);
         return Course::Free;
     }
-    if (step.rollBetweenWalls(m_contacts, ball)) {
+    if (m_hopEnd == INFINITY && step.rollBetweenWalls(m_contacts, ball)) {
         ball.supported = true;
         return Course::BetweenWalls;
     }
     const StepContext context{m_context.setting, reporter, work};
     const ContactRule rule = m_slipEnds ? ContactRule::EndingSlip : ContactRule::SecondOrder;
+    ball.velocity += m_taken;
     ball.supported = hold(context, m_contacts, rule, t, ball);
     return Course::Held;
 }
@@ -187,6 +188,8 @@ bool SweptStep::beginOnFloor() {
 }
 
 void SweptStep::beginPhase() {
+    m_taken = Vec3(0.0);
+    m_hopEnd = INFINITY;
     if (beginOnFloor()) return;
     const Setting &setting = m_context.setting;
     const auto lookHere = [&] {
@@ -226,10 +229,36 @@ void SweptStep::dropWhatIsLeft() {
     const bool hasHops = std::any_of(m_contacts.begin(), m_contacts.end(),
                                      [&](const Contact &contact) { return speed(contact) > contact.restSpeed; });
     if (hasHops) dropWhatNothingPresses(velocity);
+    finishHops(velocity);
     snapToFaces();
-    m_isAlone = m_contacts.count() == 1 && m_contacts[0].isTop && m_context.params().gravity.z <= 0.0;
+    m_isAlone =
+        m_contacts.count() == 1 && m_contacts[0].isTop && m_context.params().gravity.z <= 0.0 && m_hopEnd == INFINITY;
     m_resists = !m_isAlone && m_context.params().rolling_friction > 0.0 && m_ball.velocity != Vec3(0.0) &&
                 std::any_of(m_contacts.begin(), m_contacts.end(), [](const Contact &contact) { return contact.isTop; });
+}
+
+/// A hop that a contact took at once lasts all the same: until its end the contact presses less, and a glued face turns
+/// no spin. Otherwise friction would err by the hop's momentum however short the step.
+void SweptStep::finishHops(const Vec3 &velocity) {
+    const Vec3 gravity = m_context.setting.gravity();
+    const Vec3 taken = velocity - m_ball.velocity;
+    double friction = 0.0, most = 0.0;
+    for (Contact &contact : m_contacts) {
+        friction = std::max(friction, contact.friction);
+        most = std::max(most, leavingSpeed(contact.restSpeed));
+        const double speed = glm::dot(taken, contact.normal);
+        // The sum of all bounces, the first of which has begun.
+        const double hop = speed > 0.0 ? speed : -contact.restitution * speed;
+        const double pressing = std::max(0.0, -glm::dot(gravity, contact.normal)) * (1.0 - contact.restitution);
+        if (!contact.isGlued || hop <= m_slow || pressing == 0.0) continue;
+        m_hopEnd = 2.0 * hop / pressing;
+        contact.isGlued = contact.isTop = false;
+    }
+    const double speed = glm::length(taken);
+    if (!m_context.isRigid() || friction == 0.0 || speed <= m_slow || speed > most) return;
+    constexpr double kShortest = 1.0 / 1024.0; // of a substep
+    m_taken = taken;
+    m_hopEnd = std::max(kShortest * m_substep, 4.0 * speed / glm::length(gravity));
 }
 
 /// Between two opposite faces that are a rounding farther apart than its diameter the ball is put in the middle.
@@ -420,7 +449,7 @@ double SweptStep::horizon() const {
         const double clear = longestClear(rest);
         if (clear > 0.0) return clear;
     }
-    return std::min(rest, safeTimeOfPhase());
+    return std::min({rest, safeTimeOfPhase(), m_hopEnd});
 }
 
 /// The rest of the step (s), halved as seldom as makes the path clear; 0 if it is clear for no more than a substep. A

@@ -85,6 +85,7 @@ private:
     }
     bool pressesNow(std::span<bool> presses = {}) const;
     void dropWhatIsLeft();
+    void finishHops(const Vec3 &velocity);
     void snapToFaces();
     void stopSlowApproach();
     void keepContacts(const Vec3 &velocity);
@@ -125,6 +126,8 @@ private:
     mutable Moved m_moved;      ///< the last one: the end of a phase is asked for several times
     double m_done = 0.0;        ///< s of the step that lie behind the ball
     Contacts m_contacts;        ///< the contacts of this phase
+    Vec3 m_taken{0.0};          ///< m/s: what contacts took of the velocity at the phase's beginning, for reactions
+    double m_hopEnd = INFINITY; ///< s into the phase at which a hop that a contact took ends
     bool m_isAlone = false;     ///< nothing but one top face is touched
     bool m_resists = false;     ///< resistance may stop the ball, beside other contacts
     bool m_slipEnds = false;    ///< somewhere in this phase, which is then short

@@ -50,6 +50,23 @@ Bouncing watch(Experiment &ball, int steps) {
     return seen;
 }
 
+constexpr double kLowHop = 0x1p-24; // m/s
+
+void addSteppersThatLocateEvents() {
+    QTest::addColumn<QByteArray>("stepper");
+    for (const char *id : {"swept", "exact"}) QTest::newRow(id) << QByteArray(id);
+}
+
+/// A ball on a floor that begins to hop, less high than rounding.
+Experiment hopOfRounding(const QByteArray &stepper, uint32_t model) {
+    Experiment ball(openFloor(), stepper, model);
+    ball.params.gravity.x = 2.0;
+    ball.params.rolling_friction = 0.0;
+    ball.params.restitution_floor = 0.5;
+    ball.state.velocity = {0.5, 0.0, kLowHop};
+    return ball;
+}
+
 } // namespace
 
 class TestRestingContact : public QObject {
@@ -90,6 +107,10 @@ private slots:
     void rollsOffAHairCrack();
     void stepWhoseContactsTakeTooMuchIsRefused();
     void stepThatLooksAtTooManyBoxesIsRefused();
+    void hopTooLowToRiseTakesNoFriction_data() { addSteppersThatLocateEvents(); }
+    void hopTooLowToRiseTakesNoFriction();
+    void hopTooLowToRiseIsNoRolling_data() { addSteppersThatLocateEvents(); }
+    void hopTooLowToRiseIsNoRolling();
 };
 
 void TestRestingContact::withoutCuresElasticBallHeatsUpAsPredicted_data() {
@@ -453,6 +474,26 @@ void TestRestingContact::stepThatLooksAtTooManyBoxesIsRefused() {
     QVERIFY(!ball.step(1.0));
     QCOMPARE(ball.status(), PHYS_ERROR_SUBSTEP_CAP);
     QVERIFY2(ball.step(0.01), ball.error());
+}
+
+/// All bounces together press the ball as much as the weight that they replace, less the first one's momentum.
+void TestRestingContact::hopTooLowToRiseTakesNoFriction() {
+    QFETCH(QByteArray, stepper);
+    constexpr double dt = 0x1p-10, kFriction = 0.25;
+    Experiment ball = hopOfRounding(stepper, PHYS_MODEL_RIGID);
+    ball.params.sliding_friction = kFriction;
+    QVERIFY2(ball.step(dt), ball.error());
+    const double pressed = kNormalGravity * dt - kLowHop;
+    COMPARE_WITHIN(ball.state.velocity.x, 0.5 + 2.0 * dt - kFriction * pressed, 1e-2 * kFriction * kLowHop);
+}
+
+void TestRestingContact::hopTooLowToRiseIsNoRolling() {
+    QFETCH(QByteArray, stepper);
+    constexpr double dt = 0x1p-10, kHops = 2.0 * kLowHop / (0.5 * kNormalGravity);
+    Experiment ball = hopOfRounding(stepper, PHYS_MODEL_ROLLING);
+    QVERIFY2(ball.step(dt), ball.error());
+    const double gained = 2.0 * (5.0 / 7.0 * (dt - kHops) + kHops);
+    COMPARE_WITHIN(ball.state.velocity.x, 0.5 + gained, 1e-2 * kHops);
 }
 
 QTEST_GUILESS_MAIN(TestRestingContact)
