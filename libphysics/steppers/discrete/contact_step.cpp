@@ -267,10 +267,11 @@ void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec
 
 ExplicitLanding::ExplicitLanding(const StepContext &context, const Contacts &contacts, double h, Ball &ball)
     : m_early(-0.5 * h * context.params().gravity.z) {
-    // It would make the ball approach what it touches from below, which then would take part in the landing from its
-    // beginning, not only once the floor throws the ball against it.
+    // It would make the ball approach what it slides along or leaves above it, which then would take part in the
+    // landing from its beginning, not only once the floor throws the ball against it.
     const bool isCovered = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
-        return contact.normal.z < 0.0 && touches(context, contact);
+        return contact.normal.z < 0.0 &&
+               -glm::dot(ball.velocity, contact.normal) <= std::max(m_early, contact.restSpeed);
     });
     // Also where that velocity is too slow to bounce.
     m_lands = m_early > 0.0 && !isCovered && std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {

@@ -82,6 +82,8 @@ private slots:
     void ofThreeWallsTheTwoThatPressLeastPress();
     void frictionAlonePressesOnAnEdge_data() { addStepperRows(); }
     void frictionAlonePressesOnAnEdge();
+    void landsWhileItSlidesAlongARoofsEdge_data() { addStepperRows(); }
+    void landsWhileItSlidesAlongARoofsEdge();
 };
 
 void TestRigidModel::rollingBallKeepsTheEffectiveRestitution() {
@@ -429,6 +431,30 @@ void TestRigidModel::frictionAlonePressesOnAnEdge() {
         COMPARE_WITHIN(ball.state.velocity.y, way.end.y, slack * 9.5 * T);
         COMPARE_WITHIN(ball.state.velocity.z, way.end.z, slack * 9.5 * T);
     }
+}
+
+/// Friction on the floor throws the ball off the edge, which therefore takes no part in the landing, 13.2.
+void TestRigidModel::landsWhileItSlidesAlongARoofsEdge() {
+    QFETCH(QByteArray, stepper);
+    constexpr double kEdgeX = 0.014717049886568537, kEdgeZ = 0.010651638929163256;
+    const SceneBuilder scene = SceneBuilder()
+                                   .ball(0.01)
+                                   .floor(-0.3, -0.3, 0.3, 0.3)
+                                   .box({{kEdgeX, -0.3, kEdgeZ}, {0.06, 0.3, 0.03}})
+                                   .start(0.0, 0.0);
+    Experiment ball(scene, stepper, PHYS_MODEL_RIGID);
+    ball.params.gravity = {2.5339760725920835, -1.5117374132487857, -9.3557316793992502};
+    ball.params.rolling_friction = ball.params.restitution_wall = 0.0;
+    ball.params.sliding_friction = 1.2699480959475755;
+    ball.params.wall_friction = 1.3937088709323142;
+    ball.params.restitution_floor = 0.17396365178491713;
+    ball.state.position = {0.004738255190795803, -0.0053311346715594699, 0.010000749983475945};
+    ball.state.velocity = {0.0035893577390645587, -0.13541968086521736, -0.055028533216194754};
+    ball.state.spin = {19.861697667090528, -5.1913275967134851, 14.777152074408304};
+    QVERIFY2(ball.stepTimes(16, 1.25e-5), ball.error());
+    COMPARE_WITHIN(ball.state.velocity.x, -0.01181, 1e-4);
+    COMPARE_WITHIN(ball.state.velocity.y, -0.15377, 1e-4);
+    COMPARE_WITHIN(ball.state.velocity.z, 0.00785, 1e-4);
 }
 
 QTEST_GUILESS_MAIN(TestRigidModel)
