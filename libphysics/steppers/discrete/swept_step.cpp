@@ -399,12 +399,19 @@ double SweptStep::timeToSlipEnd(double end) {
         }
     };
     // All are examined at the same times, so that the order of contacts doesn't matter.
-    double t = end;
+    double t = end, ended = INFINITY;
     for (;; t *= 0.25) {
         after = motionOf(at(t));
         m_slipEnds = false;
         visitSlips([&](double left, double speed) { m_slipEnds = m_slipEnds || left <= kZero * speed; });
+        if (m_slipEnds) ended = t;
         if (!m_slipEnds || t <= last) break;
+    }
+    // Too short a phase may leave a jam without a solution that has friction.
+    const double changed = glm::length(after.velocity - start.velocity) + radius * glm::length(after.spin - start.spin);
+    if (!m_slipEnds && ended < INFINITY && changed <= kRolling * gravity * t) {
+        m_slipEnds = true;
+        return ended;
     }
     double shortest = end;
     visitSlips([&](double left, double speed) {
