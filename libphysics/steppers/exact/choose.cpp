@@ -53,6 +53,19 @@ void keepFixed(const MovingBall &ball, const Touching &touching, Response &respo
     }
 }
 
+/// The axes along which the ball can move. The accelerations along the normals of a hair crack's edges may be rounding
+/// though the ball's isn't: then it rolls over one edge, and the other one, which doesn't press, opens: model.md 14.1.
+Vec3 findFree(const MovingBall &ball, const Touching &touching, Response &response) {
+    const Vec3 free = freeAxes(ball.moment(), touching.held(), response);
+    const double noise = ball.moment().rounding * accelerationScale(ball.moment());
+    if (glm::length(response.acceleration - free * response.acceleration) <= noise) return free;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        Reaction &reaction = response.reactions[i];
+        if (reaction.mode == Mode::smooth && reaction.pressure == 0.0) reaction.mode = Mode::open;
+    }
+    return freeAxes(ball.moment(), touching.held(), response);
+}
+
 /// Whether friction at several contacts holds a ball that moves by no more than rounding.
 bool isHeldByFriction(const MovingBall &ball, const Response &response) {
     const double R = ball.radius();
@@ -186,7 +199,7 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
     Response &response = choice.response;
     if (const phys_status status = respondNow(touching, ball, response)) return status;
     balance(ball, touching, response);
-    const Vec3 free = freeAxes(ball.moment(), touching.held(), response);
+    const Vec3 free = findFree(ball, touching, response);
     response.acceleration *= free;
     keepFixed(ball, touching, response);
     stopHeld(touching, response, ball);

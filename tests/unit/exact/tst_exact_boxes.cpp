@@ -26,6 +26,8 @@ private slots:
     void isThrownUnderARoofInACornerOfTwoWalls();
     void rollsOverACrack_data();
     void rollsOverACrack();
+    void rollsOutOfACrack_data();
+    void rollsOutOfACrack();
     void restsOverACrackItIsTooSlowFor();
     void bouncesOffTheUndersideOfTheFloor();
     void spinsInACornerHoweverLittleItsWallsRub_data();
@@ -81,6 +83,46 @@ void ExactBoxes::rollsOverACrack() {
     QVERIFY(std::abs(run.state.position.z - R) <= kU);
     QVERIFY(run.state.velocity.x <= speed + 4.0 * kU);
     QVERIFY(speed - run.state.velocity.x <= 4.0 * speed * std::pow(width / R, 2) + 4.0 * kU);
+}
+
+void ExactBoxes::rollsOutOfACrack_data() {
+    QTest::addColumn<double>("width");
+    QTest::addColumn<uint32_t>("model");
+    QTest::addColumn<double>("resistance");
+    QTest::addColumn<double>("friction");
+    for (const double width : {1e-15, 6e-15, 1e-12, 1e-9}) {
+        for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+            for (const double resistance : {0.0, 0.001}) {
+                for (const double friction : {0.0, 0.125}) {
+                    QTest::addRow("%g m, model %u, resistance %g, edges' friction %g", width, model, resistance,
+                                  friction)
+                        << width << model << resistance << friction;
+                }
+            }
+        }
+    }
+}
+
+/// The two edges' normals are so nearly parallel that the ball leaves either of them with no acceleration but rounding.
+void ExactBoxes::rollsOutOfACrack() {
+    QFETCH(double, width);
+    QFETCH(uint32_t, model);
+    QFETCH(double, resistance);
+    QFETCH(double, friction);
+    const double R = 0.006;
+    Run run(
+        {{{-0.125, 0.5 * width, -0.02}, {0.125, 0.125, 0.0}}, {{-0.125, -0.125, -0.02}, {0.125, -0.5 * width, 0.0}}}, R,
+        {0, 0, R});
+    run.params.model = model;
+    run.params.rolling_friction = resistance;
+    run.params.sliding_friction = 0.25;
+    run.params.wall_friction = friction;
+    run.params.gravity = {0.0, 0.125, -9.75};
+    run.step(0.125);
+    const double way = 0.5 * 5.0 / 7.0 * (0.125 - resistance * 9.75) * 0.125 * 0.125;
+    const double crossing = std::sqrt(width / 0.125); // during which it may slide instead
+    QVERIFY2(std::abs(run.state.position.y - way) <= crossing * 0.125 * 0.125 + width,
+             qPrintable(QStringLiteral("%1 m instead of %2 m").arg(run.state.position.y).arg(way)));
 }
 
 /// A dip of c^2/(8 R) holds a ball slower than sqrt(gn c^2/(4 R)), here 0.065 m/s.
