@@ -313,19 +313,22 @@ void SweptStep::keepContacts(const Vec3 &velocity) {
 /// gravity drives it into each while the others hold it.
 bool SweptStep::isBound(double speed) const {
     const Vec3 gravity = m_context.setting.gravity();
-    const auto heldBut = [&](const Contact *free) {
+    const uint32_t count = m_contacts.count();
+    const auto heldBut = [&](uint32_t free) {
         NormalSpan span;
-        for (const Contact &contact : m_contacts) {
-            if (&contact != free) span.add(contact.normal);
+        for (uint32_t i = 0; i < count; ++i) {
+            if (i != free) span.add(m_contacts[i].normal);
         }
         return span.across(gravity);
     };
-    const double size = glm::length(gravity), pull = glm::length(gravity - heldBut(nullptr));
-    return std::all_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
+    const double size = glm::length(gravity), pull = glm::length(gravity - heldBut(count));
+    for (uint32_t i = 0; i < count; ++i) {
+        const Contact &contact = m_contacts[i];
         const double rise = pull + glm::dot(gravity, contact.normal); // per radius, times the pull
-        const bool isDriven = glm::dot(heldBut(&contact), contact.normal) <= kStill * size;
-        return isDriven && speed <= contact.restSpeed && speed * speed <= rise * m_context.radius();
-    });
+        const bool isDriven = glm::dot(heldBut(i), contact.normal) <= kStill * size;
+        if (!isDriven || speed > contact.restSpeed || speed * speed > rise * m_context.radius()) return false;
+    }
+    return true;
 }
 
 /// Of the contacts that the ball leaves slowly, keeps those that press if the ball doesn't leave them now; it may

@@ -199,7 +199,8 @@ struct Bounce {
 /// Reports bounces at a face while there is room for them. bounce(i): the i-th one, from 1 on.
 template<class BounceAt>
 void reportBounces(double count, const Contact &face, MovingBall &ball, const BounceAt &bounce) {
-    for (double i = 1.0; i <= count; i += 1.0) {
+    for (uint64_t number = 1; static_cast<double>(number) <= count; ++number) {
+        const double i = static_cast<double>(number);
         if (!ball.report.hasRoom()) return ball.report.lostEvents(count - i + 1.0);
         const Bounce now = bounce(i);
         const Vec3 point = face.point + now.way;
