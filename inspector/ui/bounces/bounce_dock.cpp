@@ -99,6 +99,7 @@ BounceDock::BounceDock(Session &session, QWidget *parent)
     setObjectName(QStringLiteral("bounces"));
     m_count->setObjectName(QStringLiteral("bounces_count"));
     m_detail->setObjectName(QStringLiteral("bounces_detail"));
+    m_detail->setTextFormat(Qt::RichText);
     m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse |
                                       Qt::LinksAccessibleByKeyboard);
     m_detail->setToolTip(tr("A link opens that section of the model's page"));

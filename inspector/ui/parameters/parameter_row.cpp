@@ -3,6 +3,7 @@
 
 #include "ui/parameters/fine_slider.h"
 #include "ui/parameters/slider_scale.h"
+#include "ui/parts/described.h"
 #include "ui/parts/number_box.h"
 #include "ui/parts/path_icon.h"
 #include "ui/parts/theme.h"
@@ -79,7 +80,7 @@ void ParameterRow::adopt(QWidget *widget, const char *suffix) {
     const QString id = QString::fromLatin1(m_row.id) + QLatin1String(suffix);
     widget->setObjectName(m_place.owner == Owner::Ghost ? QStringLiteral("ghost_") + id : id);
     widget->setAccessibleName(name());
-    widget->setAccessibleDescription(QString::fromUtf8(m_row.help));
+    widget->setAccessibleDescription(help());
     m_widgets.push_back(widget);
 }
 
@@ -162,8 +163,7 @@ bool ParameterRow::refuse(const QString &reason) {
 void ParameterRow::setLocked(const QString &reason) {
     m_isLocked = !reason.isEmpty();
     if (m_isLocked) takeBack();
-    const QString tip = m_isLocked ? QStringLiteral("<p>%1</p><p><i>%2</i></p>").arg(help(), reason.toHtmlEscaped())
-                                   : QStringLiteral("<p>%1</p>").arg(help());
+    const QString tip = wrapped(m_isLocked ? help() + QStringLiteral("\n\n") + reason : help());
     for (QWidget *widget : m_widgets) {
         widget->setEnabled(!m_isLocked);
         if (widget != m_box || !m_box->isRefused()) widget->setToolTip(tip);
@@ -173,6 +173,6 @@ void ParameterRow::setLocked(const QString &reason) {
     m_reset->setAccessibleName(tr("%1: back to %2").arg(name()).arg(m_row.initial));
 }
 
-QString ParameterRow::help() const { return QString::fromUtf8(m_row.help).toHtmlEscaped(); }
+QString ParameterRow::help() const { return QString::fromUtf8(m_row.help); }
 
 } // namespace inspector::ui

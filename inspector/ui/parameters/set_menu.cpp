@@ -3,6 +3,7 @@
 
 #include "core/setup/files.h"
 #include "ui/parameters/parameter_row.h"
+#include "ui/parts/described.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/settings_keys.h"
 
@@ -67,9 +68,8 @@ QString entryOf(const QString &name, const QMenu &menu) {
 
 QString tipOf(const ParameterSet &set) {
     QString values;
-    for (const Setting &setting : set.values)
-        values += QStringLiteral("%1 = %2<br>").arg(setting.id.toHtmlEscaped()).arg(setting.value);
-    return QStringLiteral("<p>%1</p><p>%2</p>").arg(values, set.about.toHtmlEscaped());
+    for (const Setting &setting : set.values) values += QStringLiteral("%1 = %2\n").arg(setting.id).arg(setting.value);
+    return wrapped(values + QLatin1Char('\n') + set.about);
 }
 
 } // namespace

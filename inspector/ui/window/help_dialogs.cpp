@@ -104,6 +104,7 @@ QLabel *textDialog(QWidget &window, const char *name, const QString &title, cons
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(title);
     auto *text = new QLabel(html);
+    text->setTextFormat(Qt::RichText);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto *area = new QScrollArea;
     area->setWidget(text);

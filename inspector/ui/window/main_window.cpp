@@ -13,6 +13,7 @@
 #include "ui/game/game_strip.h"
 #include "ui/game/level_panel.h"
 #include "ui/input/menu_letters.h"
+#include "ui/input/plain_texts.h"
 #include "ui/input/wheel_guard.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parts/dock_room.h"
@@ -186,6 +187,7 @@ MainWindow::~MainWindow() = default;
 QAction *MainWindow::action(const char *name) const { return findChild<QAction *>(QLatin1String(name)); }
 
 void MainWindow::makeCentre(gl::Drawing drawing) {
+    new PlainTexts(*this); // before any label is polished
     m_messages = new MessageBar;
     m_view = new gl::MazeView(drawing);
     m_view->setObjectName(QStringLiteral("view"));

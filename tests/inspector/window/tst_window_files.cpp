@@ -6,9 +6,11 @@
 
 #include <QComboBox>
 #include <QDialog>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -20,6 +22,7 @@
 #include <QStatusBar>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QToolTip>
 #include <QTreeWidget>
 
 #include <algorithm>
@@ -39,6 +42,8 @@ private slots:
     void droppedFileIsNotMoved();
     void recentFileThatIsGoneIsForgotten();
     void nameOfTwoLinesIsShownInOne();
+    void markupInANameIsText();
+    void labelsDoNotGuessWhatIsMarkup();
     void nameIsOpenedAsItIsTyped_data();
     void nameIsOpenedAsItIsTyped();
     void changedMazeIsReadAgain();
@@ -168,6 +173,35 @@ void TestWindowFiles::recentFileThatIsGoneIsForgotten() {
     QVERIFY2(line().contains("gone.txt"), qPrintable(line()));
     QCOMPARE(recent()->actions().at(0)->text(), QString("&None yet"));
     m_fixture->find<QMenu>("recent_menu")->close();
+}
+
+// Of a tool tip and of a message box: both are labels.
+void TestWindowFiles::markupInANameIsText() {
+    drop(maze("<b>bold.txt"));
+    QMenu *menu = recent();
+    const QPoint place = menu->actionGeometry(menu->actions().at(0)).center();
+    QHelpEvent asked(QEvent::ToolTip, place, menu->mapToGlobal(place));
+    QApplication::sendEvent(menu, &asked);
+    QVERIFY2(QToolTip::text().endsWith("<b>bold.txt"), qPrintable(QToolTip::text()));
+    const QWidgetList shown = QApplication::topLevelWidgets();
+    const auto isTip = [](const QWidget *widget) { return widget->inherits("QTipLabel") && widget->isVisible(); };
+    const auto tip = std::ranges::find_if(shown, isTip);
+    QVERIFY(tip != shown.end());
+    QCOMPARE(static_cast<QLabel *>(*tip)->textFormat(), Qt::PlainText);
+    QTest::keyClick(menu, Qt::Key_Escape);
+    m_fixture->trigger("save_run");
+    m_fixture->answerFile(m_fixture->path("<b>bold.doc"));
+    auto *refusal = m_fixture->find<QMessageBox>("nothing_saved");
+    QTRY_COMPARE(refusal->findChild<QLabel *>("qt_msgbox_label")->textFormat(), Qt::PlainText);
+    delete refusal;
+}
+
+void TestWindowFiles::labelsDoNotGuessWhatIsMarkup() {
+    for (auto *dock : m_fixture->window().findChildren<QDockWidget *>()) dock->show();
+    for (const QLabel *label : m_fixture->window().findChildren<QLabel *>())
+        if (label->isVisible())
+            QVERIFY2(label->textFormat() != Qt::AutoText,
+                     qPrintable(label->parent()->objectName() + ' ' + label->text()));
 }
 
 void TestWindowFiles::nameIsOpenedAsItIsTyped_data() {
