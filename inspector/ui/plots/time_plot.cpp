@@ -102,6 +102,16 @@ void TimePlot::fitLegend() {
     legend->setMargins(margins);
 }
 
+/// A plot that is too low for its legend leaves it out: its lines would be cut.
+void TimePlot::leaveOutLegend() {
+    constexpr int kAxes = 4; // lines of text that the axes need
+    const int needed = legend->minimumOuterSizeHint().height() + kAxes * fontMetrics().height();
+    const bool hasRoom = height() >= needed;
+    if (hasRoom == legend->visible()) return;
+    legend->setVisible(hasRoom);
+    hasRoom ? m_legendLine->addElement(0, 0, legend) : m_legendLine->take(legend);
+}
+
 /// A low plot leaves the labels of its axes out: for the lower one there is no room, and the others would be cut.
 void TimePlot::fitLabels() {
     constexpr int kLeastLines = 7; // of text
@@ -198,6 +208,7 @@ void TimePlot::refresh() {
     fitLegend();
     fitLabels();
     fitChart(*this);
+    leaveOutLegend();
     const std::optional<double> newest = newestTime();
     if (isFollowing() && !isPaused() && newest) m_time->follow(*newest, m_context.moment);
     xAxis->setRange(m_time->range());

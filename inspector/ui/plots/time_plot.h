@@ -100,6 +100,7 @@ protected:
 
 private:
     void fitLegend();
+    void leaveOutLegend();
     void fitLabels();
     void layOutLegend(); ///< in one line, with the read-out if there is room
     void takeColours();

@@ -45,6 +45,7 @@ private slots:
     void dockBesideTheBouncesIsWhole_data();
     void dockBesideTheBouncesIsWhole();
     void legendIsWholeInANarrowPlot();
+    void legendOfALowPlotIsWholeOrLeftOut();
     void legendLeavesASmallPlotToItsCurves();
     void resultNamesItsLevel();
     void resultSaysItsReasonWhole_data();
@@ -306,6 +307,27 @@ void TestWindowSmall::legendIsWholeInANarrowPlot() {
     QTRY_VERIFY(plot->width() < 400);
     QTRY_VERIFY(isWhole());
     QVERIFY(plot->legend->rowCount() <= 2);
+}
+
+// In one line and in two.
+void TestWindowSmall::legendOfALowPlotIsWholeOrLeftOut() {
+    auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
+    QString sizes; // at which it is there
+    for (const int width : {800, 250}) {
+        for (const int height : {60, 70, 80, 90, 100, 120}) {
+            plot->setFixedSize(width, height);
+            QTRY_COMPARE(plot->size(), QSize(width, height));
+            for (int pass = 0; pass < 2; ++pass) { // margins fit the content only the second time
+                m_fixture->window().refresh();
+                plot->replot();
+            }
+            if (!plot->legend->visible()) continue;
+            sizes += QStringLiteral("%1x%2 ").arg(width).arg(height);
+            const int missing = plot->legend->minimumOuterSizeHint().height() - plot->legend->outerRect().height();
+            QVERIFY2(missing <= 0, qPrintable(QStringLiteral("%1 lacks %2").arg(sizes).arg(missing)));
+        }
+    }
+    QVERIFY2(sizes.contains("800x80") && sizes.contains("250x100") && !sizes.contains("250x60"), qPrintable(sizes));
 }
 
 // As on a screen of large pixels.
