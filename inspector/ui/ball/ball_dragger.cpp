@@ -29,6 +29,12 @@ std::optional<glm::dvec3> pointAt(const gl::Ray &ray, double height) {
     return ray.origin + along * ray.direction;
 }
 
+/// A ball outside of the view couldn't be dragged again.
+QPointF nearestIn(const QRect &view, const QPointF &place) {
+    return {std::clamp<double>(place.x(), view.left(), view.right()),
+            std::clamp<double>(place.y(), view.top(), view.bottom())};
+}
+
 } // namespace
 
 BallDragger::BallDragger(Session &session, gl::MazeView &view, QUndoStack &undo, QObject *parent)
@@ -73,7 +79,8 @@ bool BallDragger::take(const QMouseEvent &event) {
 }
 
 void BallDragger::move(const QMouseEvent &event) {
-    const std::optional<glm::dvec3> point = pointAt(m_view.rayAt(event.position()), m_before->current.position.z);
+    const QPointF place = m_pulls ? event.position() : nearestIn(m_view.rect(), event.position());
+    const std::optional<glm::dvec3> point = pointAt(m_view.rayAt(place), m_before->current.position.z);
     if (!point) return;
     phys_state state = m_before->current;
     if (m_pulls) {

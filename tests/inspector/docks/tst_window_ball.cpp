@@ -27,6 +27,7 @@ private slots:
     void recordedBallSaysWhenItCanBeSet();
     void draggedBallIsWhereTheMouseIs();
     void ballDraggedIntoAWallStaysOutside();
+    void ballDraggedOutOfTheViewStaysInIt();
     void draggedBallIsUndone();
     void undoGoesOnWithTheRun_data();
     void undoGoesOnWithTheRun();
@@ -142,6 +143,15 @@ void TestWindowBall::ballDraggedIntoAWallStaysOutside() {
     const phys_vec3 centre = ball().position;
     QCOMPARE(phys_scene_contacts(scene, &centre, 0.0, contacts.data(), 16, &count), PHYS_OK);
     for (uint32_t i = 0; i < count; ++i) QVERIFY(contacts[i].gap > -1e-8);
+}
+
+// Where it can be seen and dragged again.
+void TestWindowBall::ballDraggedOutOfTheViewStaysInIt() {
+    auto &view = m_fixture->window().view();
+    const auto place = [&] { return pixelOf(ball().position.x, ball().position.y); };
+    drag(&view, place(), {view.width() + 300, view.height() / 2});
+    QTRY_VERIFY(place().x() > 0.9 * view.width());
+    QVERIFY2(view.rect().contains(place()), qPrintable(QString::number(place().x())));
 }
 
 void TestWindowBall::draggedBallIsUndone() {
