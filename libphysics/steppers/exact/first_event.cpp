@@ -83,6 +83,78 @@ void cutAtExchange(const P &phase, const Touching &touching, const Response &res
     cutWhen(isLess, until, end);
 }
 
+/// How much of a contact's reaction acts along another one's normal, at most, if friction has its worst direction.
+double mostCoupling(const Held &from, const Held &to) {
+    const double cosine = glm::dot(from.normal, to.normal);
+    return std::abs(cosine) + from.friction * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+}
+
+/// Whether contacts act so little on each other that only one combination of modes fits.
+bool hasOneSolution(std::span<const Held> held) {
+    return std::all_of(held.begin(), held.end(), [&](const Held &to) {
+        double sum = 0.0;
+        for (const Held &from : held) sum += &from == &to ? 0.0 : mostCoupling(from, to);
+        return sum < 1.0;
+    });
+}
+
+bool onlySlips(const Response &response) {
+    const std::span<const Reaction> list = response.list();
+    return std::all_of(list.begin(), list.end(), [](const Reaction &reaction) {
+        return reaction.mode == Mode::open || reaction.mode == Mode::smooth || reaction.mode == Mode::slipping;
+    });
+}
+
+/// The contacts at a moment of the phase, without those that it has left by then.
+uint32_t stillHeld(const Way &now, const Touching &touching, const Response &response, const MovingBall &ball,
+                   std::span<Held> held) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        Held one = touching.held(i);
+        const double apart = glm::dot(one.normal, response.acceleration) + curvature(ball.moment(), one);
+        const bool isLeft = std::abs(glm::dot(one.normal, now.velocity)) > ball.negligibleSpeed();
+        if (!isClosed(response, i) && (isLeft || apart > response.noise)) continue;
+        one.normal = hat(one.normal + one.across * now.way / ball.radius());
+        held[count++] = one;
+    }
+    return count;
+}
+
+/// How much larger the sum of N is at a moment of the phase than that of the law's choice then, beyond rounding.
+double excess(const Series &phase, double t, const Touching &touching, const Response &response, MovingBall &ball) {
+    constexpr double kSame = 4e-9, kDirection = 16.0 * 0x1p-52;
+    ball.work.add(phase.lookWork());
+    const Way now = phase.at(t);
+    Moment moment = ball.moment();
+    moment.velocity = now.velocity;
+    moment.spin = phase.spinAt(t);
+    std::array<Held, kMostHeld> held;
+    const uint32_t count = stillHeld(now, touching, response, ball, held);
+    const Response chosen = respond(moment, {held.data(), count}, ball.work);
+    if (!chosen.isFound || !onlySlips(chosen)) return 0.0;
+    const double present = phase.sumOfPressures(t);
+    double more = present - kSame * (present + accelerationScale(moment));
+    for (const Reaction &reaction : chosen.list()) {
+        more -= reaction.pressure;
+        if (reaction.mode != Mode::slipping) continue;
+        more -= kDirection * glm::length(reaction.force) * speedScale(moment) / glm::length(reaction.slip);
+    }
+    return more;
+}
+
+/// When the law chooses other modes, whose sum of N is smaller from then on: model.md 14.1.
+template<class P>
+void cutAtChoice(const P &, const Touching &, const Response &, MovingBall &, End &) {}
+
+void cutAtChoice(const Series &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
+    if (touching.count() < 3 || !onlySlips(response) || hasOneSolution(touching.held())) return;
+    Exchange exchange;
+    if (phase.sharesLoad() || findExchange(ball.motion, touching, response, ball, exchange)) return;
+    const double before = std::max(0.0, excess(phase, 0.0, touching, response, ball));
+    const auto isMore = [&](double t) { return excess(phase, t, touching, response, ball) > 2.0 * before; };
+    cutWhen(isMore, std::min(end.after, ball.left), end);
+}
+
 /// Of two contacts at which the ball sticks: the normal acceleration with which it would leave one if only the other
 /// one pressed, at a moment of the phase.
 template<class P>
@@ -124,6 +196,7 @@ Event firstEvent(const P &phase, const Ground &ground, const Touching &touching,
     }
     end.cut(ownEnd(phase, touching, response, ball));
     cutAtExchange(phase, touching, response, ball, end);
+    cutAtChoice(phase, touching, response, ball, end);
     cutAtRelief(phase, touching, response, ball, end);
     const double acceleration = phase.mostAcceleration();
     const Closed closed(touching, response);

@@ -403,6 +403,13 @@ double Series::least(const Vec3 &n, double, double t, double until) const {
     return glm::dot(seen, m_a.at(s)) - glm::dot(glm::abs(seen), m_turns) * (placeOf(until) - s);
 }
 
+double Series::sumOfPressures(double t) const {
+    const double s = placeOf(t);
+    double sum = 0.0;
+    for (const Contact &contact : contacts()) sum += contact.N.at(s);
+    return sum;
+}
+
 Jet Series::slipSpeed(const Contact &contact) const {
     if (contact.mode == Mode::slipping && contact.partner == kMostHeld) return contact.speed;
     Jet speed;

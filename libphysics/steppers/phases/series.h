@@ -54,6 +54,9 @@ public:
     Vec3 spinAt(double t) const;
     double least(const Vec3 &n, double rate, double t, double until) const;
     double mostAcceleration() const { return m_most; }
+    double sumOfPressures(double t) const; ///< of N
+    /// Whether more contacts press than can by themselves, model.md 14.1.
+    bool sharesLoad() const { return m_shared.rate != 0.0; }
     Losses losses(double t) const;
 
     /// How the phase itself ends before `until`.
