@@ -145,6 +145,7 @@ void Series::findShared() {
     Shared &shared = m_shared;
     shared.rate = 0.0;
     shared.count = 0;
+    shared.barrier = kMostHeld;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         if (contact.needsRate()) return;
@@ -164,6 +165,11 @@ void Series::findShared() {
         if (glm::length(of(i).held.across * shared.line) > rounding) return;
         if (std::abs(glm::dot(of(i).n[0], shared.line)) > rounding) return;
     }
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const bool isAcross = std::abs(glm::dot(m_contacts[i].n[0], shared.line)) > rounding;
+        if (isAcross && !isIdleBesideOther(m_contacts[i])) shared.barrier = i;
+    }
+    if (shared.barrier != kMostHeld) return;
     shared.push = shared.turn = Vec3(0.0);
     double sign = 1.0;
     for (size_t i = 0; i < shared.count; ++i) {
@@ -232,7 +238,7 @@ void Series::solveOrder(int k) {
             continue;
         }
         addRows(contact, k, m_equations);
-        if (!isIdleBesideOther(contact)) continue;
+        if (i != m_shared.barrier && !isIdleBesideOther(contact)) continue;
         dense::Values &factors = m_equations.add(0.0);
         if (!m_equations.areSolved()) factors[contact.column] = 1.0 + contact.held.friction;
     }
