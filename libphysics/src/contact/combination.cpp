@@ -29,17 +29,14 @@ void addRows(const Combination &c, uint32_t i, dense::Equations &equations, cons
     std::array<dense::Values *, 3> rows{};
     for (uint32_t row = 0; row < c.width(i); ++row)
         rows[row] = &equations.add(sticks ? slipRate[static_cast<int>(row)] : -(glm::dot(apart, free) + bend));
-    for (uint32_t j = 0; j < c.count(); ++j) {
-        for (uint32_t part = 0; part < c.width(j); ++part) {
-            Vec3 change = c.pushPer(j, part);
-            const uint32_t unknown = c.column[j] + part;
-            if (!sticks) {
-                (*rows[0])[unknown] = glm::dot(apart, change);
-                continue;
-            }
-            change -= c.moment.radius * glm::cross(c.spinPer(j, part), contact.normal);
-            for (uint32_t row = 0; row < 3; ++row) (*rows[row])[unknown] = change[static_cast<int>(row)] + 0.0;
+    for (uint32_t unknown = 0; unknown < c.unknowns; ++unknown) {
+        Vec3 change = c.effects[unknown].push;
+        if (!sticks) {
+            (*rows[0])[unknown] = glm::dot(apart, change);
+            continue;
         }
+        change -= c.moment.radius * glm::cross(c.effects[unknown].spin, contact.normal);
+        for (uint32_t row = 0; row < 3; ++row) (*rows[row])[unknown] = change[static_cast<int>(row)] + 0.0;
     }
 }
 
@@ -63,7 +60,7 @@ void accelerate(Combination &c, const dense::Values &x) {
         if (c.isOpen(i)) continue;
         const Vec3 push = c.push(i, x);
         c.acceleration += push;
-        c.spinAcceleration += c.sticks(i) ? c.spinPerForce(i, push) : x[c.column[i]] * c.spinPer(i, 0);
+        c.spinAcceleration += c.sticks(i) ? c.spinPerForce(i, push) : x[c.column[i]] * c.effects[c.column[i]].spin;
     }
 }
 
@@ -125,6 +122,18 @@ void solve(Combination &c) {
         pulling = pullingByRounding(c);
     }
     accelerate(c, x);
+}
+
+const StuckForces::Forces &StuckForces::of(const Combination &c) {
+    const uint32_t closed = closedOf(c);
+    if ((m_kept >> closed & 1U) && m_rolling[closed] == c.rolling) return m_forces[closed];
+    Combination stuck = c;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (c.reactions[i].mode == Mode::starting) stuck.reactions[i].mode = Mode::sticking;
+    }
+    solve(stuck);
+    keep(stuck);
+    return m_forces[closed];
 }
 
 Vec3 slipRate(const Combination &c, uint32_t i) {

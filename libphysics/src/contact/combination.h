@@ -7,6 +7,15 @@
 
 namespace phys {
 
+/// What a unit of an unknown does to the ball.
+struct Effect {
+    Effect() {} // a defaulted one would be cleared
+    Effect(const Vec3 &ofPush, const Vec3 &ofSpin)
+        : push(ofPush)
+        , spin(ofSpin) {}
+    Vec3 push, spin; ///< force, and the spin's acceleration due to it
+};
+
 /// One combination of modes and its equations, model.md 14.1.
 struct Combination {
     const Moment &moment;
@@ -21,8 +30,9 @@ struct Combination {
     std::array<uint32_t, kMostHeld> partner{};
     std::array<double, kMostHeld> facing{};
     uint32_t unknowns = 0;
-    bool isOtherFound = false; ///< another combination fits within rounding already
-    uint32_t spent = 0;        ///< bits of contacts whose friction is spent: they may start without an acceleration
+    std::array<Effect, 3 * kMostHeld> effects{}; ///< of the unknowns, while equations are set up and solved
+    bool isOtherFound = false;                   ///< another combination fits within rounding already
+    uint32_t spent = 0; ///< bits of contacts whose friction is spent: they may start without an acceleration
 
     uint32_t count() const { return static_cast<uint32_t>(held.size()); }
     std::span<const Reaction> list() const { return {reactions.data(), held.size()}; }
@@ -83,7 +93,7 @@ struct Combination {
     /// Force on the ball due to the unknowns of contact i.
     Vec3 push(uint32_t i, const dense::Values &x) const {
         Vec3 sum(0.0);
-        for (uint32_t part = 0; part < width(i); ++part) sum += x[column[i] + part] * pushPer(i, part);
+        for (uint32_t part = 0; part < width(i); ++part) sum += x[column[i] + part] * effects[column[i] + part].push;
         return sum;
     }
     /// The part of contact i's pressure that is in the unknowns of contacts whose partner it is, with the sign changed.
@@ -128,7 +138,8 @@ dense::Equations equationsOf(Combination &c, AddRowsOf addRowsOf) {
     c.unknowns = 0;
     for (uint32_t i = 0; i < c.count(); ++i) {
         c.column[i] = c.unknowns;
-        c.unknowns += c.width(i);
+        for (uint32_t part = 0; part < c.width(i); ++part)
+            c.effects[c.unknowns++] = {c.pushPer(i, part), c.spinPer(i, part)};
     }
     c.work.add(Work::kEquations * (1 + c.unknowns));
     dense::Equations equations(c.unknowns);
@@ -147,9 +158,41 @@ Vec3 slipRate(const Combination &c, uint32_t i);
 /// Solves the equations of a combination for its reactions and accelerations.
 void solve(Combination &c);
 
+/// The forces of combinations of the same contacts in which no slip starts. Slips start against them.
+class StuckForces {
+public:
+    using Forces = std::array<Vec3, kMostHeld>;
+
+    StuckForces() {} // a defaulted one would clear the forces
+
+    /// c: solved, and no slip starts.
+    void keep(const Combination &c) {
+        const uint32_t closed = closedOf(c);
+        m_rolling[closed] = c.rolling;
+        for (uint32_t i = 0; i < c.count(); ++i) m_forces[closed][i] = c.reactions[i].force;
+        m_kept |= uint64_t{1} << closed;
+    }
+    /// Those of the combination in which all slips that start in c stick; solved if they aren't kept.
+    const Forces &of(const Combination &c);
+
+private:
+    static_assert(kMostHeld <= 6, "a bit for each set of closed contacts");
+    static constexpr uint32_t kSets = 1U << kMostHeld;
+
+    std::array<Forces, kSets> m_forces; ///< by the bits of closed contacts
+    std::array<Vec3, kSets> m_rolling;
+    uint64_t m_kept = 0;
+
+    static uint32_t closedOf(const Combination &c) {
+        uint32_t closed = 0;
+        for (uint32_t i = 0; i < c.count(); ++i) closed |= (c.isOpen(i) ? 0U : 1U) << i;
+        return closed;
+    }
+};
+
 /// Finds the reactions together with all directions that depend on them: those of slips that start, and that of
 /// resistance where a ball starts to roll. False if the iteration doesn't converge.
-bool settle(Combination &c);
+bool settle(Combination &c, StuckForces &stuckForces);
 
 /// Sets the forces by which friction is judged: those of the reactions, but where resistance acts the force without it,
 /// as a slip ends the resistance. model.md 14.1.

@@ -36,8 +36,8 @@ public:
     Values &add(double value) {
         const uint32_t row = m_count++;
         if (!m_areSolved) {
-            m_rows[row].fill(0.0);
-            m_place[row] = row;
+            std::fill_n(m_rows[row].begin(), m_unknowns, 0.0);
+            m_from[row] = row;
         }
         m_values[row] = value;
         return m_rows[row];
@@ -46,16 +46,16 @@ public:
     Values solve() {
         if (!m_areSolved) eliminate();
         std::array<double, kMostRows> values;
-        for (uint32_t i = 0; i < m_count; ++i) values[m_place[i]] = m_values[i];
+        for (uint32_t i = 0; i < m_count; ++i) values[i] = m_values[m_from[i]];
         for (uint32_t k = 0; k < m_rank; ++k) {
-            for (uint32_t i = k + 1; i < m_count; ++i) values[i] -= m_rows[i][m_order[k]] * values[k];
+            for (uint32_t i = k + 1; i < m_count; ++i) values[i] -= m_rows[i][k] * values[k];
+        }
+        for (uint32_t i = m_rank; i-- > 0;) {
+            for (uint32_t j = i + 1; j < m_rank; ++j) values[i] -= m_rows[i][j] * values[j];
+            values[i] /= m_rows[i][i];
         }
         Values x{};
-        for (uint32_t i = m_rank; i-- > 0;) {
-            double sum = values[i];
-            for (uint32_t j = i + 1; j < m_rank; ++j) sum -= m_rows[i][m_order[j]] * x[m_order[j]];
-            x[m_order[i]] = sum / m_rows[i][m_order[i]];
-        }
+        for (uint32_t i = 0; i < m_rank; ++i) x[m_order[i]] = values[i];
         return x;
     }
 
@@ -63,13 +63,12 @@ private:
     uint32_t m_unknowns;
     uint32_t m_count = 0, m_rank = 0;
     bool m_areSolved = false;
-    std::array<Values, kMostRows>
-        m_rows; ///< after solving: in the order of pivots, with the multipliers of the elimination below
-    std::array<Values, kMostRows>
-        m_sizes; ///< sums of the absolute terms of each factor, which its rounding is a share of
+    /// After solving: rows and columns in the order of pivots, with the multipliers of the elimination below.
+    std::array<Values, kMostRows> m_rows;
+    std::array<Values, kMostRows> m_sizes; ///< sums of the absolute terms of each factor: its rounding is a share
     std::array<double, kMostRows> m_values;
-    std::array<uint32_t, kMostRows> m_place; ///< position in m_rows of the equations in the order of `add`
-    std::array<uint32_t, kMostUnknowns> m_order;
+    std::array<uint32_t, kMostRows> m_from;      ///< number of each row's equation in the order of `add`
+    std::array<uint32_t, kMostUnknowns> m_order; ///< number of each column's unknown
 
     void eliminate() {
         m_areSolved = true;
@@ -86,35 +85,40 @@ private:
         double most = 0.0;
         for (uint32_t i = m_rank; i < m_count; ++i) {
             for (uint32_t j = m_rank; j < m_unknowns; ++j) {
-                const double size = std::abs(m_rows[i][m_order[j]]);
-                if (size <= most || size <= kNoPivot * m_sizes[i][m_order[j]]) continue;
+                const double size = std::abs(m_rows[i][j]);
+                if (size <= most || size <= kNoPivot * m_sizes[i][j]) continue;
                 most = size;
                 row = i;
                 column = j;
             }
         }
         if (row != m_rank) {
-            std::swap(m_rows[m_rank], m_rows[row]);
-            std::swap(m_sizes[m_rank], m_sizes[row]);
-            for (uint32_t i = 0; i < m_count; ++i) {
-                if (m_place[i] == row || m_place[i] == m_rank) m_place[i] = m_place[i] == row ? m_rank : row;
-            }
+            swapRows(m_rows, row);
+            swapRows(m_sizes, row);
+            std::swap(m_from[m_rank], m_from[row]);
         }
-        std::swap(m_order[m_rank], m_order[column]);
+        if (column != m_rank) {
+            for (uint32_t i = 0; i < m_count; ++i) std::swap(m_rows[i][m_rank], m_rows[i][column]);
+            for (uint32_t i = m_rank; i < m_count; ++i) std::swap(m_sizes[i][m_rank], m_sizes[i][column]);
+            std::swap(m_order[m_rank], m_order[column]);
+        }
         return most > 0.0;
+    }
+
+    void swapRows(std::array<Values, kMostRows> &rows, uint32_t row) {
+        std::swap_ranges(rows[row].begin(), rows[row].begin() + m_unknowns, rows[m_rank].begin());
     }
 
     void eliminateBelow() {
         const Values &pivot = m_rows[m_rank], &pivotSizes = m_sizes[m_rank];
-        const uint32_t column = m_order[m_rank];
         for (uint32_t i = m_rank + 1; i < m_count; ++i) {
             Values &row = m_rows[i];
-            const double factor = row[column] / pivot[column];
-            row[column] = factor;
+            const double factor = row[m_rank] / pivot[m_rank];
+            row[m_rank] = factor;
             if (factor == 0.0) continue;
             for (uint32_t j = m_rank + 1; j < m_unknowns; ++j) {
-                row[m_order[j]] -= factor * pivot[m_order[j]];
-                m_sizes[i][m_order[j]] += std::abs(factor) * pivotSizes[m_order[j]];
+                row[j] -= factor * pivot[j];
+                m_sizes[i][j] += std::abs(factor) * pivotSizes[j];
             }
         }
     }

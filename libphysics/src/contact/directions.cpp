@@ -241,20 +241,12 @@ uint32_t resisted(const Combination &c) {
 
 /// Directions in which slips begin: opposite to the friction that would be needed to prevent them. If one other contact
 /// sticks, the ball can only turn about the line through both, so the slip is across both normals.
-bool aimStarts(Combination &c) {
-    Combination stuck = c;
-    bool starts = false;
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        if (c.reactions[i].mode != Mode::starting) continue;
-        stuck.reactions[i].mode = Mode::sticking;
-        starts = true;
-    }
-    if (!starts) return true;
-    solve(stuck);
+bool aimStarts(Combination &c, StuckForces &stuckForces) {
+    const StuckForces::Forces &stuck = stuckForces.of(c);
     const uint32_t fixed = c.onlySticking();
     for (uint32_t i = 0; i < c.count(); ++i) {
         if (c.reactions[i].mode != Mode::starting) continue;
-        Vec3 friction = tangential(stuck.reactions[i].force, c.held[i].normal);
+        Vec3 friction = tangential(stuck[i], c.held[i].normal);
         if (fixed < c.count()) {
             const Vec3 free = hat(glm::cross(c.held[i].normal, c.held[fixed].normal));
             if (free != Vec3(0.0)) friction = glm::dot(friction, free) * free;
@@ -267,7 +259,7 @@ bool aimStarts(Combination &c) {
 
 } // namespace
 
-bool settle(Combination &c) {
+bool settle(Combination &c, StuckForces &stuckForces) {
     const double zero = kFits * accelerationScale(c.moment);
     Sought sought;
     for (uint32_t i = 0; i < c.count(); ++i) {
@@ -277,8 +269,9 @@ bool settle(Combination &c) {
     const Vec3 spin = ground < c.count() ? rollingSpin(c.moment, c.held[ground]) : Vec3(0.0);
     const bool rolls = !isNoSlip(c.moment, c.moment.radius * spin);
     if (rolls) c.rolling = hat(spin);
-    if (!aimStarts(c)) return false;
+    if (sought.starting != 0 && !aimStarts(c, stuckForces)) return false;
     bool isSettled = settleDirections(c, sought);
+    if (sought.starting == 0) stuckForces.keep(c);
     if (ground == c.count() || rolls) return isSettled;
     // Resistance on a ball that starts to roll: opposite to the resulting motion, or the share of the largest possible
     // one that holds the ball, model.md 14.1.

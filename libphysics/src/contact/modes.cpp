@@ -141,13 +141,15 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
     const double scale = accelerationScale(moment);
     Response best = known;
     size_t bestRank = kUnranked;
+    StuckForces stuckForces;
     std::array<uint32_t, kMostHeld> numbers{};
+    Combination c{moment, held, work};
+    c.spent = excluded.sticking;
     do {
-        Combination c{moment, held, work};
-        c.spent = excluded.sticking;
+        c.rolling = Vec3(0.0);
         c.isOtherFound = bestRank == 0;
         if (!setModes(c, numbers, known, excluded)) continue;
-        const bool isSettled = settle(c);
+        const bool isSettled = settle(c, stuckForces);
         if (!isSettled && bestRank < kFirstRough) continue;
         if (bestRank == 0 && !isBetter(c, best, scale)) continue;
         judge(c);
