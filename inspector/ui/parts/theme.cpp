@@ -74,11 +74,22 @@ public:
 
 } // namespace
 
+QPalette completed(QPalette desktops) {
+    if (!isDark(desktops)) return desktops;
+    QColor faint = desktops.color(QPalette::Text);
+    faint.setAlphaF(0.5F);
+    desktops.setColor(QPalette::PlaceholderText, faint);
+    return desktops;
+}
+
 void applyTheme(Theme theme) {
     const SystemLook &system = systemLook();
     if (theme == Theme::System) {
-        QApplication::setStyle(system.style);
-        QApplication::setPalette(system.palette);
+        if (system.style == QLatin1String("fusion"))
+            QApplication::setStyle(new ThemeStyle);
+        else
+            QApplication::setStyle(system.style);
+        QApplication::setPalette(completed(system.palette));
         return;
     }
     // Only Fusion respects every palette; desktop styles use their own colours.

@@ -16,6 +16,9 @@ inline constexpr int kThemeCount = 3;
 
 void applyTheme(Theme theme);
 
+/// A desktop's palette, whose hints in empty fields are readable: some desktops leave them black in dark windows.
+QPalette completed(QPalette desktops);
+
 bool isDark(const QPalette &palette);
 
 /// Semantic colours, readable on the palette's base.

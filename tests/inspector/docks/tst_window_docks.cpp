@@ -80,6 +80,7 @@ private slots:
     void dockGivesItsRoomBack();
     void lastDockGivesItsRoomBack();
     void docksAtTheSideGiveTheirRoomBack();
+    void hintsAreReadableOnADarkDesktop();
     void emptyCheckBoxesAreSeen_data();
     void emptyCheckBoxesAreSeen();
     void qualityReachesTheView_data();
@@ -346,6 +347,24 @@ void TestWindowDocks::emptyCheckBoxesAreSeen_data() {
     QTest::addColumn<inspector::ui::Theme>("theme");
     QTest::newRow("light") << inspector::ui::Theme::Light;
     QTest::newRow("dark") << inspector::ui::Theme::Dark;
+    QTest::newRow("desktop's") << inspector::ui::Theme::System; // a dark one
+}
+
+namespace {
+QPalette darkDesktop() {
+    const QColor text(252, 252, 252), button(49, 54, 59), window(42, 46, 50), base(27, 30, 32);
+    QPalette dark(text, button, button.lighter(150), button.darker(), button.darker(150), text, text, base, window);
+    dark.setColor(QPalette::PlaceholderText, QColor(0, 0, 0, 128));
+    return dark;
+}
+} // namespace
+
+void TestWindowDocks::hintsAreReadableOnADarkDesktop() {
+    const QPalette palette = inspector::ui::completed(darkDesktop());
+    QImage pixel(1, 1, QImage::Format_RGB32);
+    pixel.fill(palette.color(QPalette::Window));
+    QPainter(&pixel).fillRect(pixel.rect(), palette.color(QPalette::PlaceholderText));
+    QVERIFY(support::contrastOf(pixel.pixelColor(0, 0), palette.color(QPalette::Window)) >= 4.0);
 }
 
 // In lists as well: part of an empty box differs from the base around it by a tenth of the scale.
@@ -355,7 +374,7 @@ void TestWindowDocks::emptyCheckBoxesAreSeen() {
     inspector::ui::applyTheme(theme);
     QStyleOptionViewItem option;
     option.rect = QRect(0, 0, 20, 20);
-    option.palette = QApplication::palette();
+    option.palette = theme == inspector::ui::Theme::System ? darkDesktop() : QApplication::palette();
     option.state = QStyle::State_Enabled | QStyle::State_Off;
     const QColor base = option.palette.color(QPalette::Base);
     QImage image(option.rect.size(), QImage::Format_RGB32);
