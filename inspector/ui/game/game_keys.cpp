@@ -2,7 +2,7 @@
 #include "ui/game/game_keys.h"
 
 #include "gl/view/maze_view.h"
-#include "ui/parts/number_box.h"
+#include "ui/parts/theme.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -46,11 +46,11 @@ bool isInDialog(const QWidget *widget) {
     return false;
 }
 
-/// Whether the text is invalid, so that editing must continue.
+/// Whether the text is marked as invalid, so that editing must continue.
 bool isUnreadable(const QWidget *widget) {
     const auto *combo = qobject_cast<const QComboBox *>(widget);
-    const auto *box = qobject_cast<const NumberBox *>(combo ? combo->lineEdit() : widget);
-    return box && box->isRefused();
+    const QWidget *field = combo ? combo->lineEdit() : widget;
+    return field && AlarmText::isOn(*field);
 }
 
 } // namespace

@@ -7,6 +7,8 @@
 #include <QStyleOptionButton>
 #include <QWidget>
 
+#include <algorithm>
+
 namespace inspector::ui {
 
 namespace {
@@ -121,6 +123,13 @@ void AlarmText::setOn(bool isOn) {
     if (isOn == m_isOn) return;
     m_isOn = isOn;
     isOn ? takeColour() : m_widget.setPalette({});
+}
+
+bool AlarmText::isOn(const QWidget &widget) {
+    return std::ranges::any_of(widget.children(), [](const QObject *child) {
+        const auto *alarm = dynamic_cast<const AlarmText *>(child);
+        return alarm && alarm->m_isOn;
+    });
 }
 
 bool AlarmText::eventFilter(QObject *, QEvent *event) {

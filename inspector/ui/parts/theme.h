@@ -37,6 +37,7 @@ public:
     /// role: that of the text. The widget becomes the owner.
     AlarmText(QWidget &widget, QPalette::ColorRole role);
     void setOn(bool isOn); ///< initially off
+    static bool isOn(const QWidget &widget);
 
 protected:
     bool eventFilter(QObject *widget, QEvent *event) override;

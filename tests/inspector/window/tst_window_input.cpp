@@ -34,6 +34,8 @@ private slots:
     void unreadableNumberStaysMarkedWithItsReason();
     void escTakesTheEditBack();
     void unreadableNumberStaysWhereTheFieldIsLeft();
+    void refusedTextKeepsTheKeyboard_data();
+    void refusedTextKeepsTheKeyboard();
     void undoGoesOnAfterTheTextOfANumber();
     void newValueTakesThePlaceOfRefusedText_data();
     void newValueTakesThePlaceOfRefusedText();
@@ -161,6 +163,29 @@ void TestWindowInput::unreadableNumberStaysWhereTheFieldIsLeft() {
     m_fixture->trigger("compare"); // another command
     QVERIFY(box->isRefused());
     QVERIFY(box->toolTip().contains("fast"));
+}
+
+void TestWindowInput::refusedTextKeepsTheKeyboard_data() {
+    QTest::addColumn<Qt::Key>("dock");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("gravity_box") << Qt::Key(0) << "fast";
+    QTest::newRow("trade_unknowns") << Qt::Key_4 << "tilt=much";
+    QTest::newRow("track_file") << Qt::Key_7 << "missing.csv";
+    QTest::newRow("track_units") << Qt::Key_7 << "t=days";
+}
+
+// Letters typed next would be commands.
+void TestWindowInput::refusedTextKeepsTheKeyboard() {
+    QFETCH(Qt::Key, dock);
+    QFETCH(QString, text);
+    if (dock) m_fixture->press(dock, Qt::ControlModifier);
+    auto *field = m_fixture->find<QLineEdit>(QTest::currentDataTag());
+    field->setFocus();
+    field->selectAll();
+    m_fixture->type(text);
+    QTest::keyClick(field, Qt::Key_Return);
+    for (int pass = 0; pass < 3; ++pass) QCoreApplication::processEvents(); // the keyboard is returned later
+    QVERIFY(field->hasFocus());
 }
 
 // First the text comes back, then the changes before it.

@@ -4,7 +4,7 @@
 #include "core/setup/settings_file.h"
 #include "gl/surface_format.h"
 #include "gl/view/maze_view.h"
-#include "ui/parts/number_box.h"
+#include "ui/parts/theme.h"
 
 #include <QApplication>
 #include <QDropEvent>
@@ -42,10 +42,7 @@ QWidget *keyboardOwner(QWidget &window) {
 
 bool isEnter(Qt::Key key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
 
-bool isAccepted(const QWidget *editor) {
-    const auto *box = qobject_cast<const inspector::ui::NumberBox *>(editor);
-    return !box || !box->isRefused();
-}
+bool isAccepted(const QWidget *editor) { return !editor || !inspector::ui::AlarmText::isOn(*editor); }
 
 } // namespace
 
