@@ -129,8 +129,8 @@ bool Film::makeFolder(const QString &path, QString *error) {
     m_folder.setPath(path);
     const bool isUsable = !m_folder.exists() || m_folder.isEmpty();
     if (isUsable && QDir().mkpath(path)) return true;
-    *error = isUsable ? tr("%1: the folder can't be made").arg(path)
-                      : tr("%1: expected a new or an empty folder, found one that holds something").arg(path);
+    *error = isUsable ? tr("%1: the folder can't be made").arg(quoted(path))
+                      : tr("%1: expected a new or an empty folder, found one that holds something").arg(quoted(path));
     return false;
 }
 

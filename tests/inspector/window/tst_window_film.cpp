@@ -235,7 +235,7 @@ void TestWindowFilm::folderThatHoldsSomethingIsRefused() {
     QString error;
     auto *film = new inspector::ui::Film(m_fixture->session(), m_fixture->window().view(), {}, 1, m_fixture->window());
     QVERIFY(!film->begin(folder, &error));
-    QCOMPARE(error, folder + ": expected a new or an empty folder, found one that holds something");
+    QCOMPARE(error, '\'' + folder + "': expected a new or an empty folder, found one that holds something");
     QVERIFY(picturesIn(folder).isEmpty());
 }
 
