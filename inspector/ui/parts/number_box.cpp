@@ -4,10 +4,12 @@
 #include "ui/parts/printed_unit.h"
 #include "ui/parts/theme.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QStyle>
 #include <QStyleOptionFrame>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +40,8 @@ QString numberText(double value, double notch, int digits) {
     const bool isWhole = std::abs(text.toDouble() - value) <= kRounding * std::abs(value);
     return isWhole ? text : QString::number(value, 'g', digits);
 }
+
+QString rangeText(const QString &from, const QString &to) { return NumberBox::tr("From %1 to %2").arg(from, to); }
 
 double notchesOf(const QKeyEvent &event) {
     const double size = event.modifiers() & Qt::ShiftModifier ? kFine : 1.0;
@@ -172,8 +176,18 @@ void NumberBox::showNote(const QString &text, const QColor &colour) {
     m_note->raise();
 }
 
+QString NumberBox::fullTip() const {
+    QStringList lines{toolTip(), isRefused() ? QString() : m_kind.range}; // a reason has the range
+    lines.removeAll(QString());
+    return lines.join(QLatin1Char('\n'));
+}
+
 /// While the user is typing, the undo keys apply to the field's text; without any of it they are the window's.
 bool NumberBox::event(QEvent *event) {
+    if (event->type() == QEvent::ToolTip) {
+        QToolTip::showText(static_cast<QHelpEvent *>(event)->globalPos(), fullTip(), this);
+        return true;
+    }
     if (event->type() == QEvent::ShortcutOverride) {
         const auto *key = static_cast<QKeyEvent *>(event);
         const bool isUndo = key->matches(QKeySequence::Undo);
@@ -249,7 +263,8 @@ NumberBox::Kind numberKind(const NumberRange &range, double notch) {
             notch,
             QStringLiteral("-00.0000") + unit,
             text(QLocale::FloatingPointShortest),
-            {}};
+            {},
+            rangeText(QString::number(range.min), QString::number(range.max) + unit)};
 }
 
 NumberBox::Kind wholeNumberKind(int min, int max) {
@@ -259,7 +274,8 @@ NumberBox::Kind wholeNumberKind(int min, int max) {
             1.0,
             QString::number(max),
             {},
-            {}};
+            {},
+            rangeText(QString::number(min), QString::number(max))};
 }
 
 NumberBox::Kind durationKind(double min, double max) {
@@ -268,7 +284,8 @@ NumberBox::Kind durationKind(double min, double max) {
             0.0,
             QStringLiteral("0.0166667 ms"),
             {},
-            NumberBox::tr("In s, or with a unit: 5 ms")};
+            NumberBox::tr("In s, or with a unit: 5 ms"),
+            rangeText(durationText(min), durationText(max))};
 }
 
 } // namespace inspector::ui

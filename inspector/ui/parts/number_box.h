@@ -29,6 +29,7 @@ public:
         QString widest;                             ///< the longest common text
         std::function<QString(double value)> exact; ///< text shown while it has the keyboard; empty: the usual one
         QString hint;                               ///< shown below while the user types; empty: nothing
+        QString range;                              ///< told by the tool tip; empty: not at all
     };
 
     explicit NumberBox(QWidget *parent = nullptr);
@@ -67,6 +68,7 @@ protected:
 private:
     void showFromStart(const QString &shown);
     QString valueText() const;
+    QString fullTip() const;
     void apply();
     void stepBy(double notches);
     void accept();

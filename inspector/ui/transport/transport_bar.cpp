@@ -89,6 +89,7 @@ void TransportBar::addTimeSteps() {
     m_typedTimeStep = new NumberBox;
     m_typedTimeStep->setObjectName(QStringLiteral("time_step_box"));
     m_typedTimeStep->setAccessibleName(tr("Time step"));
+    m_typedTimeStep->setToolTip(m_timeStep->toolTip());
     m_typedTimeStep->setKind(durationKind(Engine::kSmallestDt, Engine::kLargestDt));
     m_typedTimeStep->setAlignment(Qt::AlignLeft);
     m_timeStep->setEditable(true);

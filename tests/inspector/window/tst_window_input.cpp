@@ -9,8 +9,10 @@
 
 #include <QComboBox>
 #include <QDialog>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLocale>
+#include <QToolTip>
 
 #include <functional>
 
@@ -40,6 +42,8 @@ private slots:
     void newValueTakesThePlaceOfRefusedText_data();
     void newValueTakesThePlaceOfRefusedText();
     void enterInTheTimeStepAppliesItAndPlaysNothing();
+    void toolTipOfANumberTellsItsRange_data();
+    void toolTipOfANumberTellsItsRange();
     void unitOfTheTimeStepIsSaidWhileItIsTyped();
     void enterInAnOpenListAppliesItAndPlaysNothing_data();
     void enterInAnOpenListAppliesItAndPlaysNothing();
@@ -260,6 +264,22 @@ void TestWindowInput::enterInTheTimeStepAppliesItAndPlaysNothing() {
     QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
     QTRY_VERIFY(hasView());
     QCOMPARE(chooser->currentText(), QString("2.5 ms"));
+}
+
+void TestWindowInput::toolTipOfANumberTellsItsRange_data() {
+    QTest::addColumn<QString>("range");
+    QTest::newRow("gravity_box") << "From 1e-06 to 1000 m/s²";
+    QTest::newRow("restitution_wall_box") << "From 0 to 1";
+    QTest::newRow("time_step_box") << "From 1 µs to 10 s";
+    QTest::newRow("comparison_substeps") << "From 1 to 1000";
+}
+
+void TestWindowInput::toolTipOfANumberTellsItsRange() {
+    QFETCH(QString, range);
+    auto *box = m_fixture->find<NumberBox>(QTest::currentDataTag());
+    QHelpEvent asked(QEvent::ToolTip, box->rect().center(), box->mapToGlobal(box->rect().center()));
+    QApplication::sendEvent(box, &asked);
+    QVERIFY2(QToolTip::text().endsWith('\n' + range), qPrintable(QToolTip::text()));
 }
 
 void TestWindowInput::unitOfTheTimeStepIsSaidWhileItIsTyped() {
