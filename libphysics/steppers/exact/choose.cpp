@@ -57,6 +57,7 @@ void keepFixed(const MovingBall &ball, const Touching &touching, Response &respo
 /// though the ball's isn't: then it rolls over one edge, and the other one, which doesn't press, opens: model.md 14.1.
 Vec3 findFree(const MovingBall &ball, const Touching &touching, Response &response) {
     const Vec3 free = freeAxes(ball.moment(), touching.held(), response);
+    if (free == Vec3(1.0)) return free;
     const double noise = ball.moment().rounding * accelerationScale(ball.moment());
     if (glm::length(response.acceleration - free * response.acceleration) <= noise) return free;
     for (uint32_t i = 0; i < touching.count(); ++i) {
