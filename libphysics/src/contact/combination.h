@@ -30,8 +30,8 @@ struct Combination {
     std::array<uint32_t, kMostHeld> partner{};
     std::array<double, kMostHeld> facing{};
     uint32_t unknowns = 0;
-    std::array<Effect, 3 * kMostHeld> effects{}; ///< of the unknowns, while equations are set up and solved
-    bool isOtherFound = false;                   ///< another combination fits within rounding already
+    std::array<Effect, size_t{3} * kMostHeld> effects{}; ///< of the unknowns, while equations are set up and solved
+    bool isOtherFound = false;                           ///< another combination fits within rounding already
     uint32_t spent = 0; ///< bits of contacts whose friction is spent: they may start without an acceleration
 
     uint32_t count() const { return static_cast<uint32_t>(held.size()); }
