@@ -12,6 +12,7 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QLineEdit>
 
 #include <algorithm>
 
