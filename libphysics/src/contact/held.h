@@ -42,6 +42,12 @@ inline double curvature(const Moment &moment, const Held &held) {
     return isFace(held) ? 0.0 : squared(held.across * moment.velocity) / moment.radius;
 }
 
+/// How much of a contact's reaction acts along another one's normal, at most, if friction has its worst direction.
+inline double mostCoupling(const Vec3 &from, double friction, const Vec3 &to) {
+    const double cosine = glm::dot(from, to);
+    return std::abs(cosine) + friction * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+}
+
 /// The part of the spin that rolling resistance opposes.
 inline Vec3 rollingSpin(const Moment &moment, const Held &held) { return tangential(moment.spin, held.normal); }
 

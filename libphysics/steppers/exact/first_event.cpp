@@ -83,17 +83,13 @@ void cutAtExchange(const P &phase, const Touching &touching, const Response &res
     cutWhen(isLess, until, end);
 }
 
-/// How much of a contact's reaction acts along another one's normal, at most, if friction has its worst direction.
-double mostCoupling(const Held &from, const Held &to) {
-    const double cosine = glm::dot(from.normal, to.normal);
-    return std::abs(cosine) + from.friction * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-}
-
 /// Whether contacts act so little on each other that only one combination of modes fits.
 bool hasOneSolution(std::span<const Held> held) {
     return std::all_of(held.begin(), held.end(), [&](const Held &to) {
         double sum = 0.0;
-        for (const Held &from : held) sum += &from == &to ? 0.0 : mostCoupling(from, to);
+        for (const Held &from : held) {
+            if (&from != &to) sum += mostCoupling(from.normal, from.friction, to.normal);
+        }
         return sum < 1.0;
     });
 }
