@@ -101,19 +101,35 @@ bool onlySlips(const Response &response) {
     });
 }
 
-/// The contacts at a moment of the phase, without those that it has left by then.
-uint32_t stillHeld(const Way &now, const Touching &touching, const Response &response, const MovingBall &ball,
-                   std::span<Held> held) {
+/// Some contacts: which of those of the phase they are, and as they are at one of its moments.
+struct Some {
+    std::array<uint32_t, kMostHeld> number;
+    std::array<Held, kMostHeld> held;
     uint32_t count = 0;
+};
+
+/// The contacts at a moment of the phase, without those that it has left by then.
+Some stillHeld(const Way &now, const Touching &touching, const Response &response, const MovingBall &ball) {
+    Some some;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         Held one = touching.held(i);
         const double apart = glm::dot(one.normal, response.acceleration) + curvature(ball.moment(), one);
         const bool isLeft = std::abs(glm::dot(one.normal, now.velocity)) > ball.negligibleSpeed();
         if (!isClosed(response, i) && (isLeft || apart > response.noise)) continue;
         one.normal = hat(one.normal + one.across * now.way / ball.radius());
-        held[count++] = one;
+        some.number[some.count] = i;
+        some.held[some.count++] = one;
     }
-    return count;
+    return some;
+}
+
+/// Whether the same contacts press, which then do so with the same forces.
+bool pressAlike(const Some &some, const Response &response, const Response &chosen, double noForce) {
+    for (uint32_t i = 0; i < some.count; ++i) {
+        const bool presses = response.reactions[some.number[i]].pressure > noForce;
+        if (presses != (chosen.reactions[i].pressure > noForce)) return false;
+    }
+    return true;
 }
 
 /// How much larger the sum of N is at a moment of the phase than that of the law's choice then, beyond rounding.
@@ -124,10 +140,10 @@ double excess(const Series &phase, double t, const Touching &touching, const Res
     Moment moment = ball.moment();
     moment.velocity = now.velocity;
     moment.spin = phase.spinAt(t);
-    std::array<Held, kMostHeld> held;
-    const uint32_t count = stillHeld(now, touching, response, ball, held);
-    const Response chosen = respond(moment, {held.data(), count}, ball.work);
+    const Some some = stillHeld(now, touching, response, ball);
+    const Response chosen = respond(moment, {some.held.data(), some.count}, ball.work);
     if (!chosen.isFound || !onlySlips(chosen)) return 0.0;
+    if (pressAlike(some, response, chosen, kFits * accelerationScale(moment))) return 0.0;
     const double present = phase.sumOfPressures(t);
     double more = present - kSame * (present + accelerationScale(moment));
     for (const Reaction &reaction : chosen.list()) {
