@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QElapsedTimer>
 #include <QPainter>
@@ -16,7 +17,7 @@ namespace {
 
 const glm::vec3 kLight = glm::normalize(glm::vec3(-0.4F, 0.5F, 1.2F)); ///< direction to the light, board frame
 constexpr float kAmbient = 0.45F;
-constexpr double kSeam = 1.5;     ///< pen width around a triangle, pixels, to cover seams
+constexpr double kSeam = 1.5;     ///< pen width around a smoothed triangle, pixels, to cover seams
 constexpr double kMark = 0.32;    ///< share of the ball's radius: spots that show its rotation
 constexpr double kSpacing = 1e-4; ///< between a trail's points, m
 const QColor kBallColour(0xd8, 0xdc, 0xe0);
@@ -59,6 +60,7 @@ void FlatCanvas::setMaze(const Mesh &mesh) {
     }
     std::stable_sort(m_triangles.begin(), m_triangles.end(),
                      [](const Triangle &a, const Triangle &b) { return a.height < b.height; });
+    m_look = {};
     update();
 }
 
@@ -77,34 +79,63 @@ void FlatCanvas::paintEvent(QPaintEvent *) {
     timer.start();
     const Frame &frame = m_host.nextFrame();
     QPainter painter(this);
-    paint(painter, frame);
+    paintKeptBoard(painter, projection());
+    paintMoving(painter, projection(), frame);
     m_host.noteDrawn(1e-6 * static_cast<double>(timer.nsecsElapsed()));
 }
 
 QImage FlatCanvas::picture(const Frame &frame, int scale) {
-    const double ratio = devicePixelRatioF() * scale;
-    QImage image((QSizeF(size()) * ratio).toSize(), QImage::Format_RGB32);
-    image.setDevicePixelRatio(ratio);
+    QImage image = blank(devicePixelRatioF() * scale);
     QPainter painter(&image);
-    paint(painter, frame);
+    paintBoard(painter, projection());
+    paintMoving(painter, projection(), frame);
     painter.end();
     image.setDevicePixelRatio(1.0);
     return image;
 }
 
-void FlatCanvas::paint(QPainter &painter, const Frame &frame) const {
-    painter.setRenderHint(QPainter::Antialiasing, m_quality != Quality::Low);
+FlatCanvas::Projection FlatCanvas::projection() const {
     const View view = m_host.view();
-    painter.fillRect(rect(), toQColor(view.backdrop.table));
-    const Projection projection = view.projection * view.view * m_host.boardPose();
+    return view.projection * view.view * m_host.boardPose();
+}
+
+QImage FlatCanvas::blank(double pixelRatio) const {
+    QImage image((QSizeF(size()) * pixelRatio).toSize(), QImage::Format_RGB32);
+    image.setDevicePixelRatio(pixelRatio);
+    return image;
+}
+
+/// A board that moves is drawn directly, because its picture would be used only once.
+void FlatCanvas::paintKeptBoard(QPainter &painter, const Projection &projection) {
+    const BoardLook look{projection, size() * devicePixelRatioF(), m_quality, m_host.view().backdrop};
+    if (look != std::exchange(m_look, look)) {
+        m_board = {};
+        return paintBoard(painter, projection);
+    }
+    if (m_board.isNull()) {
+        m_board = blank(devicePixelRatioF());
+        QPainter kept(&m_board);
+        paintBoard(kept, projection);
+    }
+    painter.drawImage(0, 0, m_board);
+}
+
+void FlatCanvas::paintBoard(QPainter &painter, const Projection &projection) const {
+    painter.setRenderHint(QPainter::Antialiasing, m_quality != Quality::Low);
+    painter.fillRect(rect(), toQColor(m_host.view().backdrop.table));
     paintMaze(painter, projection);
+}
+
+void FlatCanvas::paintMoving(QPainter &painter, const Projection &projection, const Frame &frame) const {
+    painter.setRenderHint(QPainter::Antialiasing, m_quality != Quality::Low);
     paintStrokes(painter, projection, frame);
     for (const GhostBall &ghost : frame.ghosts) paintGhost(painter, projection, ghost);
     paintBall(painter, projection, frame.ball);
 }
 
-/// Back faces are culled: on the screen they are clockwise.
+/// Back faces are culled: on the screen they are clockwise. Only between smoothed edges are there seams to cover.
 void FlatCanvas::paintMaze(QPainter &painter, const Projection &projection) const {
+    const bool hasSeams = painter.testRenderHint(QPainter::Antialiasing);
     for (const Triangle &triangle : m_triangles) {
         QPointF corners[3];
         for (int i = 0; i < 3; ++i) corners[i] = place(projection, triangle.corners[i]);
@@ -112,7 +143,7 @@ void FlatCanvas::paintMaze(QPainter &painter, const Projection &projection) cons
         const QPointF b = corners[2] - corners[0];
         if (a.x() * b.y() - a.y() * b.x() >= 0.0) continue; // y points down
         const QColor colour = toQColor(triangle.colour);
-        painter.setPen(QPen(colour, kSeam));
+        painter.setPen(hasSeams ? QPen(colour, kSeam) : QPen(Qt::NoPen));
         painter.setBrush(colour);
         painter.drawConvexPolygon(corners, 3);
     }

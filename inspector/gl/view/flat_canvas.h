@@ -10,7 +10,7 @@ class QPainter;
 namespace inspector::gl {
 
 /// Draws without OpenGL, for a camera that looks from above: painter's algorithm in order of height. The table shows
-/// through holes in the floor.
+/// through holes in the floor. While the board doesn't move, the picture of board and table is kept.
 class FlatCanvas : public QWidget, public Canvas {
 public:
     /// host must outlive the canvas.
@@ -37,7 +37,20 @@ private:
     };
     using Projection = glm::dmat4; ///< board to clip
 
-    void paint(QPainter &painter, const Frame &frame) const;
+    /// Everything that determines the picture of board and table; the maze clears it.
+    struct BoardLook {
+        Projection projection{0.0};
+        QSize pixels;
+        Quality quality = Quality::Low;
+        Backdrop backdrop;
+        bool operator==(const BoardLook &) const = default;
+    };
+
+    Projection projection() const;
+    QImage blank(double pixelRatio) const; ///< of this widget's size
+    void paintKeptBoard(QPainter &painter, const Projection &projection);
+    void paintBoard(QPainter &painter, const Projection &projection) const;
+    void paintMoving(QPainter &painter, const Projection &projection, const Frame &frame) const;
     void paintMaze(QPainter &painter, const Projection &projection) const;
     void paintBall(QPainter &painter, const Projection &projection, const Ball &ball) const;
     void paintGhost(QPainter &painter, const Projection &projection, const GhostBall &ghost) const;
@@ -48,6 +61,8 @@ private:
     CanvasHost &m_host;
     Quality m_quality = Quality::Medium;
     std::vector<Triangle> m_triangles; ///< lowest first
+    BoardLook m_look;                  ///< of the last picture
+    QImage m_board;                    ///< kept once two pictures in a row share that look
 };
 
 } // namespace inspector::gl

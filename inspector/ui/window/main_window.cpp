@@ -477,7 +477,7 @@ void MainWindow::openLevel() {
     QString ofMaze;
     QString ofBall;
     m_view->setMaze(mazeMesh(m_session, &ofMaze));
-    m_view->setBall(ballMesh(&ofBall));
+    if (m_view->drawing() != gl::Drawing::Flat) m_view->setBall(ballMesh(&ofBall)); // flat, the ball is a disc
     QTextStream messages(stderr); // for scripted pictures, where nobody sees the message bar
     for (const QString &problem : {ofBall, ofMaze}) {
         if (problem.isEmpty()) continue;
