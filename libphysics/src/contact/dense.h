@@ -65,61 +65,93 @@ private:
     bool m_areSolved = false;
     /// After solving: rows and columns in the order of pivots, with the multipliers of the elimination below.
     std::array<Values, kMostRows> m_rows;
-    std::array<Values, kMostRows> m_sizes; ///< sums of the absolute terms of each factor: its rounding is a share
+    std::array<Values, kMostRows> m_given; ///< the factors as given, then their sizes: see `sizeOf`
     std::array<double, kMostRows> m_values;
     std::array<uint32_t, kMostRows> m_from;      ///< number of each row's equation in the order of `add`
     std::array<uint32_t, kMostUnknowns> m_order; ///< number of each column's unknown
 
+    struct Pivot {
+        uint32_t row, column;
+        double size;
+    };
+
     void eliminate() {
         m_areSolved = true;
+        for (uint32_t i = 0; i < m_count; ++i) std::copy_n(m_rows[i].begin(), m_unknowns, m_given[i].begin());
         for (uint32_t i = 0; i < m_unknowns; ++i) m_order[i] = i;
-        for (uint32_t i = 0; i < m_count; ++i) {
-            for (uint32_t j = 0; j < m_unknowns; ++j) m_sizes[i][j] = std::abs(m_rows[i][j]);
+        // The sizes are needed only once a pivot may be rounding: until then each one at most doubles the largest.
+        double rounding = 0.0;
+        bool areSizesKnown = false;
+        for (m_rank = 0; m_rank < mostRank(); ++m_rank) {
+            Pivot pivot = largest([](uint32_t, uint32_t) { return 0.0; });
+            rounding = m_rank == 0 ? 2.0 * kNoPivot * pivot.size : 2.0 * rounding;
+            if (!areSizesKnown && !(pivot.size > rounding)) {
+                findSizes();
+                areSizesKnown = true;
+            }
+            if (areSizesKnown) pivot = largest([this](uint32_t i, uint32_t j) { return kNoPivot * sizeOf(i, j); });
+            if (!(pivot.size > 0.0)) return;
+            bring(pivot);
+            eliminateBelow();
+            if (areSizesKnown) addSizes(m_rank);
         }
-        for (m_rank = 0; m_rank < std::min(m_unknowns, m_count) && bringPivot(); ++m_rank) eliminateBelow();
     }
 
-    /// The largest factor that is more than rounding. False if there is none.
-    bool bringPivot() {
-        uint32_t row = m_rank, column = m_rank;
-        double most = 0.0;
+    uint32_t mostRank() const { return std::min(m_unknowns, m_count); }
+
+    /// The largest factor that exceeds roundingOf(row, column); of size 0 if there is none.
+    template<class RoundingOf>
+    Pivot largest(RoundingOf roundingOf) const {
+        Pivot pivot{m_rank, m_rank, 0.0};
         for (uint32_t i = m_rank; i < m_count; ++i) {
             for (uint32_t j = m_rank; j < m_unknowns; ++j) {
                 const double size = std::abs(m_rows[i][j]);
-                if (size <= most || size <= kNoPivot * m_sizes[i][j]) continue;
-                most = size;
-                row = i;
-                column = j;
+                if (size <= pivot.size || size <= roundingOf(i, j)) continue;
+                pivot = {i, j, size};
             }
         }
-        if (row != m_rank) {
-            swapRows(m_rows, row);
-            swapRows(m_sizes, row);
-            std::swap(m_from[m_rank], m_from[row]);
-        }
-        if (column != m_rank) {
-            for (uint32_t i = 0; i < m_count; ++i) std::swap(m_rows[i][m_rank], m_rows[i][column]);
-            for (uint32_t i = m_rank; i < m_count; ++i) std::swap(m_sizes[i][m_rank], m_sizes[i][column]);
-            std::swap(m_order[m_rank], m_order[column]);
-        }
-        return most > 0.0;
+        return pivot;
     }
 
-    void swapRows(std::array<Values, kMostRows> &rows, uint32_t row) {
-        std::swap_ranges(rows[row].begin(), rows[row].begin() + m_unknowns, rows[m_rank].begin());
+    void bring(const Pivot &pivot) {
+        if (pivot.row != m_rank) {
+            Values &row = m_rows[pivot.row];
+            std::swap_ranges(row.begin(), row.begin() + m_unknowns, m_rows[m_rank].begin());
+            std::swap(m_from[m_rank], m_from[pivot.row]);
+        }
+        if (pivot.column != m_rank) {
+            for (uint32_t i = 0; i < m_count; ++i) std::swap(m_rows[i][m_rank], m_rows[i][pivot.column]);
+            std::swap(m_order[m_rank], m_order[pivot.column]);
+        }
     }
 
+    /// Leaves the multipliers in the pivot's column.
     void eliminateBelow() {
-        const Values &pivot = m_rows[m_rank], &pivotSizes = m_sizes[m_rank];
+        const Values &pivot = m_rows[m_rank];
         for (uint32_t i = m_rank + 1; i < m_count; ++i) {
             Values &row = m_rows[i];
             const double factor = row[m_rank] / pivot[m_rank];
             row[m_rank] = factor;
             if (factor == 0.0) continue;
-            for (uint32_t j = m_rank + 1; j < m_unknowns; ++j) {
-                row[j] -= factor * pivot[j];
-                m_sizes[i][j] += std::abs(factor) * pivotSizes[j];
-            }
+            for (uint32_t j = m_rank + 1; j < m_unknowns; ++j) row[j] -= factor * pivot[j];
+        }
+    }
+
+    /// Sum of the absolute terms of a factor: its rounding is a share of that.
+    double &sizeOf(uint32_t i, uint32_t j) { return m_given[m_from[i]][m_order[j]]; }
+
+    void findSizes() {
+        for (uint32_t i = 0; i < m_count; ++i) {
+            for (uint32_t j = 0; j < m_unknowns; ++j) m_given[i][j] = std::abs(m_given[i][j]);
+        }
+        for (uint32_t pivot = 0; pivot < m_rank; ++pivot) addSizes(pivot);
+    }
+
+    void addSizes(uint32_t pivot) {
+        for (uint32_t i = pivot + 1; i < m_count; ++i) {
+            const double factor = std::abs(m_rows[i][pivot]);
+            if (factor == 0.0) continue;
+            for (uint32_t j = pivot + 1; j < m_unknowns; ++j) sizeOf(i, j) += factor * sizeOf(pivot, j);
         }
     }
 };
