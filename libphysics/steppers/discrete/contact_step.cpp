@@ -222,19 +222,39 @@ HeldBall holdTurning(const StepContext &context, const Contacts &contacts, Conta
     return {lasting, loss};
 }
 
+/// leastPush in the mean of both orders, which favours none.
+Vec3 leastWay(std::span<Push> pushes, double negligible) {
+    Work work; // limited as for a step of `exact`
+    const Vec3 way = leastPush(pushes, negligible, work);
+    if (pushes.size() < 2) return way;
+    std::reverse(pushes.begin(), pushes.end());
+    return 0.5 * (way + leastPush(pushes, negligible, work));
+}
+
+/// What contacts without friction and resistance leave of gravity.
+Vec3 leftOfGravity(const StepContext &context, const Contacts &contacts, double negligible) {
+    const Vec3 gravity = context.setting.gravity();
+    std::array<Push, Contacts::kMost> pushes;
+    for (uint32_t i = 0; i < contacts.count(); ++i)
+        pushes[i] = {contacts[i].normal, -glm::dot(gravity, contacts[i].normal)};
+    return gravity + leastWay({pushes.data(), contacts.count()}, negligible);
+}
+
 /// Whether contacts, with friction and resistance, can hold a ball at rest: model.md 13.5.
 bool canHold(const StepContext &context, const Contacts &contacts) {
     const Vec3 gravity = context.setting.gravity();
+    const double left = kStill * glm::length(gravity);
     LastingContacts lasting(context.radius(), context.work);
     for (const Contact &contact : contacts) {
         if (contact.gap < -context.setting.tolerance) return false;
         lasting.add(lastingOf(contact, 0.0));
     }
+    // What rests without friction rests with it, whichever solution is taken: it only takes energy.
+    if (glm::length(leftOfGravity(context, contacts, 0.1 * left)) <= left) return true;
     // One second of gravity, as a velocity: what the contacts leave of it corresponds to an acceleration.
     choose(context, contacts, {Vec3(0.0), Vec3(0.0)}, 1.0, lasting);
     Motion motion{gravity, Vec3(0.0)};
     lasting.solve(context.params().rolling_friction, motion);
-    const double left = kStill * glm::length(gravity);
     return glm::length(motion.velocity) <= left && context.radius() * glm::length(motion.spin) <= left;
 }
 
@@ -333,15 +353,6 @@ bool hasRoom(const StepContext &context, const Vec3 &position) {
         overlaps = overlaps || squaredDistance(box, position) < overlapping * overlapping;
     });
     return !overlaps;
-}
-
-/// leastPush in the mean of both orders, which favours none.
-Vec3 leastWay(std::span<Push> pushes, double negligible) {
-    Work work; // limited as for a step of `exact`
-    const Vec3 way = leastPush(pushes, negligible, work);
-    if (pushes.size() < 2) return way;
-    std::reverse(pushes.begin(), pushes.end());
-    return 0.5 * (way + leastPush(pushes, negligible, work));
 }
 
 /// The contacts that hold the ball at its place before an impact: it neither approaches nor leaves them.

@@ -52,8 +52,8 @@ public:
         return m_context.isRigid() || ball.spin == rolling || !supports(ball) ? ball.spin : rolling;
     }
 
-    /// Whether the ball stays as it is.
-    bool rests(Ball &ball) const { return phys::rests(m_context, ball); }
+    /// Whether the ball stays as it is. Once it does, the step is over: it isn't asked again.
+    bool rests(Ball &ball) { return m_rests = m_rests || phys::rests(m_context, ball); }
 
     /// Whether a substep left the ball unchanged up to rounding, so that all following ones will too: it rests, or
     /// turns in place.
@@ -388,6 +388,7 @@ private:
     FloorRun<Scheme> m_onFloor;
     double m_h;
     bool m_endedOnFloor = false; ///< the last substep that ran
+    bool m_rests = false;
 };
 
 } // namespace phys

@@ -47,7 +47,7 @@ phys_status refuseStuck(const Vec3 &position, phys_error *err);
 /// Stores the ball after its last substep, with the flags derived from it and the events known only now; all but the
 /// orientation.
 template<class Scheme>
-void finishStep(const DiscreteStep<Scheme> &substep, const PlanInput &input, const Ball &before, Ball &ball,
+void finishStep(DiscreteStep<Scheme> &substep, const PlanInput &input, const Ball &before, Ball &ball,
                 const StepPlan &plan, Reporter &reporter, phys_state &out) {
     const bool isStill =
         plan.asReported ? ball.velocity == Vec3(0.0) : mayRest({input.scene, input.params}, ball.velocity);
