@@ -67,7 +67,10 @@ inline bool store(const Vec3 &place, const Vec3 &velocity, const Vec3 &spin, uin
     const phys_vec3 position = fromVec(place);
     if (!isModerate(position) || !isModerate(fromVec(velocity)) || !isModerate(fromVec(spin))) return false;
     if (&out != &in) out = in;
-    out.position = position;
+    // One by one, as a processor stalls if it loads together what was just stored separately.
+    out.position.x = place.x;
+    out.position.y = place.y;
+    out.position.z = place.z;
     out.velocity = fromVec(velocity);
     out.spin = fromVec(spin);
     out.flags = (scene.isOut(position) ? PHYS_OUT : 0) | flags;

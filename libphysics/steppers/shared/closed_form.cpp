@@ -4,6 +4,7 @@
 #include "base/elementary.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,12 @@ namespace {
 using Two = double __attribute__((vector_size(16)));
 
 inline double sum(Two numbers) { return numbers[0] + numbers[1]; }
+
+inline Two pairOf(const Vec2 &v) { return Two{v.x, v.y}; }
+/// Stored together, as a processor stalls if it loads together what was just stored separately.
+inline Vec2 vectorOf(Two pair) { return std::bit_cast<Vec2>(pair); }
+/// From the axes along and across e to x and y.
+inline Two turned(const Vec2 &e, double along, double across) { return along * pairOf(e) + across * Two{-e.y, e.x}; }
 
 /// Most steps are short compared with the time in which velocities change, so a few terms suffice.
 bool isShort(double z) { return std::abs(z) <= 0.3; }
@@ -81,12 +88,14 @@ double firstFall(double gap, double rate, double acceleration) {
     return top + std::sqrt(top * top + 2.0 * (gap / -acceleration));
 }
 
-ResistedLaw::ResistedLaw(const Vec2 &v0, const Vec2 &A, double B)
-    : m_v0(v0)
-    , m_a(length(A))
-    , m_B(B)
-    , m_speed(length(v0))
-    , m_drive(A.x * v0.x + A.y * v0.y) {
+ResistedLaw::ResistedLaw(const Vec2 &v0, const Vec2 &A, double B) { begin(v0, A, B); }
+
+inline void ResistedLaw::begin(const Vec2 &v0, const Vec2 &A, double B) {
+    m_v0 = v0;
+    m_a = length(A);
+    m_B = B;
+    m_speed = length(v0);
+    m_drive = A.x * v0.x + A.y * v0.y;
     if (m_speed == 0.0) {
         // From rest the motion is straight along A, model.md 3.2.
         m_fromRest = true;
@@ -146,10 +155,14 @@ inline ResistedLaw::Passed ResistedLaw::improve(double xi, double t) const {
 
 /// Most steps: short compared with the time in which velocities change.
 inline bool ResistedLaw::passShortTime(double t, Passed &out) const {
-    const double xi = shortXi(t);
-    if (!(xi >= 0.0 && isShort((m_a + 2.0 * m_B) * xi))) return false;
-    out = improve<ShortIntegrals>(xi, t);
-    return isLast(out);
+    double xi = shortXi(t);
+    for (int iteration = 0; iteration < 3; ++iteration) {
+        if (!(xi >= 0.0 && isShort((m_a + 2.0 * m_B) * xi))) return false;
+        out = improve<ShortIntegrals>(xi, t);
+        if (isLast(out)) return true;
+        xi -= out.back;
+    }
+    return false;
 }
 
 inline bool ResistedLaw::isAtShortTime(double t, Point &out) const {
@@ -200,14 +213,17 @@ inline ResistedLaw::Point ResistedLaw::atXi(const Passed &passed, double t) cons
     const double xi = passed.xi, back = passed.back;
     const auto [times, speeds, ways] = sharesAt(passed, t);
     const Two share{m_P, m_M}, c{m_a - m_B, -(m_a + m_B)}, c3{m_a - 2.0 * m_B, -(m_a + 2.0 * m_B)};
-    const Vec2 x = turned(ways[0] - ways[1], m_vt * sum(share * shifted(c3, Of::of(c3, xi), back)));
-    if (!((m_a + m_B) * xi < 0.5))
-        return {x, turned(speeds[0] - speeds[1], m_vt * elementary::exp(-m_B * (xi - back)))};
+    const Two x = turned(m_e, ways[0] - ways[1], m_vt * sum(share * shifted(c3, Of::of(c3, xi), back)));
+    if (!((m_a + m_B) * xi < 0.5)) {
+        const Two v = turned(m_e, speeds[0] - speeds[1], m_vt * elementary::exp(-m_B * (xi - back)));
+        return {vectorOf(x), vectorOf(v)};
+    }
     // While the velocity changes little, its change is known more accurately than itself: many short phases keep their
     // digits.
     const Two change = c * times;
     const double damping = shifted(-m_B, Of::of(-m_B, xi), back);
-    return {x, m_v0 + turned(change[0] - change[1], m_vt * (-m_B * damping))};
+    const Two v = pairOf(m_v0) + turned(m_e, change[0] - change[1], m_vt * (-m_B * damping));
+    return {vectorOf(x), vectorOf(v)};
 }
 
 template<class Of>
@@ -236,9 +252,11 @@ double ResistedLaw::pathUntil(double t) const {
 }
 
 bool ResistedLaw::goesOn(const Vec2 &v0, const Vec2 &A, double B, double t, Point &out) {
-    const ResistedLaw law(v0, A, B);
+    ResistedLaw law;
+    law.begin(v0, A, B);
     if (law.m_fromRest || !(t < law.m_stopTime)) return false;
-    if (!law.isAtShortTime(t, out)) out = law.atXi<Integrals>(law.passAnyTime(t), t);
+    // The usual law needs no address, only registers.
+    if (!law.isAtShortTime(t, out)) out = ResistedLaw(v0, A, B).at(t);
     return true;
 }
 
@@ -246,20 +264,16 @@ ResistedLaw::Point ResistedLaw::atStop() const {
     const Vec2 zero{0.0, 0.0};
     if (m_fromRest) return {zero, zero};
     const double alongSlow = m_M * m_M / (2.0 * (m_B + m_a));
-    if (!(m_B > m_a)) return {turned(-alongSlow, 0.0), zero};
+    if (!(m_B > m_a)) return {vectorOf(turned(m_e, -alongSlow, 0.0)), zero};
     const double alongFast = m_P * m_P / (2.0 * (m_B - m_a));
     const double across = m_vt * (m_P / (2.0 * m_B - m_a) + m_M / (2.0 * m_B + m_a));
-    return {turned(alongFast - alongSlow, across), zero};
+    return {vectorOf(turned(m_e, alongFast - alongSlow, across)), zero};
 }
 
 double ResistedLaw::pathToStop() const {
     if (m_fromRest) return 0.0;
     const double alongSlow = m_M * m_M / (2.0 * (m_B + m_a));
     return m_B > m_a ? m_P * m_P / (2.0 * (m_B - m_a)) + m_P * m_M / m_B + alongSlow : alongSlow;
-}
-
-Vec2 ResistedLaw::turned(double along, double across) const {
-    return {along * m_e.x - across * m_e.y, along * m_e.y + across * m_e.x};
 }
 
 } // namespace phys

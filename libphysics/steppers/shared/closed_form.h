@@ -51,6 +51,7 @@ private:
     struct Passed;
     struct Shares;
 
+    void begin(const Vec2 &v0, const Vec2 &A, double B);
     double shortXi(double t) const;
     template<class Of>
     Passed improve(double xi, double t) const;
@@ -65,7 +66,6 @@ private:
     double pathAtXi(const Passed &passed, double t) const;
     Point atStop() const;
     double pathToStop() const;
-    Vec2 turned(double along, double across) const;
 };
 
 } // namespace phys
