@@ -8,6 +8,7 @@
 #include "registry/built_in_steppers.h"
 #include "registry/lanes.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -39,6 +40,12 @@ constexpr double kTooSmall = 0x1p-400;
 
 bool isNegligible(double value) { return value != 0.0 && std::abs(value) < kTooSmall; }
 
+bool hasNegligible(const phys_vec3 &gravity) {
+    const auto &[x, y, z] = gravity;
+    const bool hasSmall = std::min(std::min(std::abs(x), std::abs(y)), std::abs(z)) < kTooSmall; // or zero, as levels
+    return hasSmall && (isNegligible(x) || isNegligible(y) || isNegligible(z));
+}
+
 phys_params withoutNegligibleGravity(phys_params params) {
     for (double *component : {&params.gravity.x, &params.gravity.y, &params.gravity.z}) {
         if (isNegligible(*component)) *component = 0.0;
@@ -55,8 +62,7 @@ phys_status stepExact(void *self, const phys_params *params, double dt, const ph
                       phys_report *report, phys_error *err) {
     Exact &exact = *static_cast<Exact *>(self);
     const double duration = isNegligible(dt) ? 0.0 : dt;
-    const phys_vec3 &g = params->gravity;
-    if (isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) [[unlikely]] {
+    if (hasNegligible(params->gravity)) [[unlikely]] {
         return advance(exact, withoutNegligibleGravity(*params), duration, *in, *out, report, err);
     }
     return advance(exact, *params, duration, *in, *out, report, err);
@@ -66,10 +72,8 @@ phys_status stepExact(void *self, const phys_params *params, double dt, const ph
 bool stepUndisturbed(void *self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                      phys_report *report) {
     Exact &exact = *static_cast<Exact *>(self);
-    const phys_vec3 &g = params.gravity;
-    if (report || isNegligible(dt) || isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) return false;
-    return moveUndisturbed(exact.regions, exact.scene, params, dt, in, out) ||
-           (in.velocity.z != 0.0 && fallUndisturbed(exact.scene, params, dt, in, out));
+    if (report || dt < kTooSmall || hasNegligible(params.gravity)) return false;
+    return moveUndisturbed(exact.regions, exact.scene, params, dt, in, out);
 }
 
 /// Only single balls: their motions have too many forms to compute them side by side.

@@ -70,9 +70,8 @@ private:
 
     /// The region of a ball that satisfies InRegion, or nullptr.
     static const FloorRegion *regionOf(KnownPlaces &places, const phys_state &state, bool mayLean) {
-        const phys_vec3 &v = state.velocity;
         if (has(places.regions().last(), state, mayLean)) return &places.regions().last();
-        const FloorRegion *region = places.regions().find(state.position, v.x == 0.0 || v.y == 0.0);
+        const FloorRegion *region = places.regions().find(state.position, inPlane(state.velocity));
         return region && has(*region, state, mayLean) ? region : nullptr;
     }
 
@@ -123,7 +122,7 @@ private:
             if (!isFirst || !(region->along[0].endsOpenBefore(end.x) || region->along[1].endsOpenBefore(end.y)))
                 return false;
             // Regions overlap: one that contains the end may also contain the start.
-            region = places.regions().find({end.x, end.y, in.position.z}, in.velocity.x == 0.0 || in.velocity.y == 0.0);
+            region = places.regions().find({end.x, end.y, in.position.z}, inPlane(in.velocity));
             if (!region || !has(*region, in, mayLean)) return false;
         }
     }

@@ -9,8 +9,7 @@ namespace phys {
 Ground::Ground(const MovingBall &ball, FloorRegions &regions)
     : m_start(ball.elapsed) {
     if (ball.runsAllStages()) return;
-    const Vec3 &v = ball.motion.velocity;
-    m_region = regions.around(fromVec(ball.position), v.x == 0.0 || v.y == 0.0);
+    m_region = regions.around(fromVec(ball.position), inPlane(ball.motion.velocity));
     if (!m_region) return;
     m_boxes.add(m_region->floor);
     for (int axis = 0; axis < 2; ++axis) {

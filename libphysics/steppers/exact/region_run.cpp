@@ -355,11 +355,10 @@ bool runInRegion(FloorRegions &regions, MovingBall &ball, ContactEvents &events)
     const FloorRegion *tried = nullptr; // at the present position
     while (ball.left > 0.0) {
         if (ball.work.isTooMuch()) return false;
-        const Vec3 &velocity = ball.motion.velocity;
-        const bool isLeaning = velocity.x == 0.0 || velocity.y == 0.0;
+        const Vec2 velocity = inPlane(ball.motion.velocity);
         const phys_vec3 place = fromVec(ball.position);
         // The last region may end near the ball; that of its own grid cell extends further.
-        const FloorRegion *region = tried ? regions.find(place, isLeaning) : regions.around(place, isLeaning);
+        const FloorRegion *region = tried ? regions.find(place, velocity) : regions.around(place, velocity);
         if (!region || region == tried) return false;
         const double left = ball.left;
         RegionRun(*region, ball, events).advance();

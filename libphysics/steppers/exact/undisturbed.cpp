@@ -62,10 +62,9 @@ bool move(const FloorRegion &region, const FloorPull &pull, double dt, const Vec
 }
 
 /// False, and nothing is written, if the numbers are beyond those of a valid state.
-inline bool store(const Vec3 &place, const Vec3 &velocity, const Vec3 &spin, uint32_t flags, const Scene &scene,
-                  const phys_state &in, phys_state &out) {
-    const phys_vec3 position = fromVec(place);
-    if (!isModerate(position) || !isModerate(fromVec(velocity)) || !isModerate(fromVec(spin))) return false;
+inline bool store(const Vec3 &place, const Vec3 &velocity, const Vec3 &spin, uint32_t flags, const phys_state &in,
+                  phys_state &out) {
+    if (!isModerate(fromVec(place)) || !isModerate(fromVec(velocity)) || !isModerate(fromVec(spin))) return false;
     if (&out != &in) out = in;
     // One by one, as a processor stalls if it loads together what was just stored separately.
     out.position.x = place.x;
@@ -73,43 +72,50 @@ inline bool store(const Vec3 &place, const Vec3 &velocity, const Vec3 &spin, uin
     out.position.z = place.z;
     out.velocity = fromVec(velocity);
     out.spin = fromVec(spin);
-    out.flags = (scene.isOut(position) ? PHYS_OUT : 0) | flags;
+    out.flags = flags;
     return true;
 }
 
-} // namespace
-
-bool fallUndisturbed(const Scene &scene, const phys_params &params, double dt, const phys_state &in, phys_state &out) {
+/// Far from all boxes.
+bool fall(const Scene &scene, const phys_params &params, double dt, const phys_state &in, phys_state &out) {
     const Vec3 place = toVec(in.position), v = toVec(in.velocity), g = toVec(params.gravity);
-    if (params.options != 0 || v == Vec3(0.0)) return false;
     const double way = dt * (glm::length(v) + dt * glm::length(g)), reach = 2.0 * scene.radius + way;
     if (!(squaredDistance(scene.bounds, place) > reach * reach)) return false;
     const Vec3 spin = toVec(in.spin) + dt * Vec3(0.0); // a zero may have the opposite sign
-    return store(place + dt * (v + 0.5 * dt * g), v + dt * g, spin, PHYS_AIRBORNE, scene, in, out);
+    const Vec3 end = place + dt * (v + 0.5 * dt * g);
+    const uint32_t isOut = scene.isOut(fromVec(end)) ? PHYS_OUT : 0;
+    return store(end, v + dt * g, spin, PHYS_AIRBORNE | isOut, in, out);
 }
 
-bool moveUndisturbed(FloorRegions &regions, const Scene &scene, const phys_params &params, double dt,
-                     const phys_state &in, phys_state &out) {
-    if (params.options != 0 || in.velocity.z != 0.0 || !(params.gravity.z < 0.0)) return false;
+bool moveOnFloor(FloorRegions &regions, const Scene &scene, const phys_params &params, double dt, const phys_state &in,
+                 phys_state &out) {
+    if (!(params.gravity.z < 0.0)) return false;
     const FloorPull pull(scene, params);
     const Vec3 spin = toVec(in.spin);
     Plane ball{inPlane(in.position), inPlane(in.velocity)};
     if (!pull.goesOn(ball.velocity, spin)) return false;
     if (spin.z == 0.0 && std::signbit(spin.z)) return false; // the loop's sums may change its sign
-    const bool isLeaning = ball.velocity.x == 0.0 || ball.velocity.y == 0.0;
     // The last region may end near the ball; that of its own grid cell extends further.
-    const FloorRegion *last = nullptr, *region = regions.around(in.position, isLeaning);
+    const FloorRegion *last = nullptr, *region = regions.around(in.position, inPlane(in.velocity));
     while (region && !move(*region, pull, dt, spin, ball)) {
         if (last) return false;
         last = region;
-        region = regions.find(in.position, isLeaning);
+        region = regions.find(in.position, inPlane(in.velocity));
         if (region == last) return false;
     }
     if (!region) return false;
     const double height = scene.boxes[region->floor].max.z + scene.radius;
     Vec3 turning = rollingSpin(ball.velocity, scene.radius);
     if (pull.isRigid()) turning.z = spin.z;
-    return store(Vec3(ball.place, height), Vec3(ball.velocity, 0.0), pull.glides() ? spin : turning, 0, scene, in, out);
+    return store(Vec3(ball.place, height), Vec3(ball.velocity, 0.0), pull.glides() ? spin : turning, 0, in, out);
+}
+
+} // namespace
+
+bool moveUndisturbed(FloorRegions &regions, const Scene &scene, const phys_params &params, double dt,
+                     const phys_state &in, phys_state &out) {
+    if (params.options != 0) return false;
+    return in.velocity.z == 0.0 ? moveOnFloor(regions, scene, params, dt, in, out) : fall(scene, params, dt, in, out);
 }
 
 } // namespace phys

@@ -9,12 +9,9 @@
 
 namespace phys {
 
-/// Makes a step of a ball on a floor with the bits of the event loop: all of `out`, which may be `in`, except time and
-/// step number. False, and nothing is written, if anything else may happen.
+/// Makes a step of a ball on a floor, or of one that falls far from all boxes, with the bits of the event loop: all of
+/// `out`, which may be `in`, except time and step number. False, and nothing is written, if anything else may happen.
 bool moveUndisturbed(FloorRegions &regions, const Scene &scene, const phys_params &params, double dt,
                      const phys_state &in, phys_state &out);
-
-/// The same for a ball that falls far from all boxes.
-bool fallUndisturbed(const Scene &scene, const phys_params &params, double dt, const phys_state &in, phys_state &out);
 
 } // namespace phys

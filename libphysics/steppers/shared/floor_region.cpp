@@ -251,9 +251,10 @@ FloorRegions::FloorRegions(const Scene &scene, Beside beside)
     , m_regions(std::make_unique<std::array<FloorRegion, kKept>>())
     , m_last(m_regions->data()) {}
 
-const FloorRegion *FloorRegions::find(const phys_vec3 &place, bool isLeaning) {
+const FloorRegion *FloorRegions::find(const phys_vec3 &place, const Vec2 &velocity) {
     const size_t cell = m_scene.grid.cellAt(place.x, place.y);
     if (cell == Grid::kNoCell) return nullptr;
+    const bool isLeaning = velocity.x == 0.0 || velocity.y == 0.0;
     FloorRegion &kept = (*m_regions)[(cell + (isLeaning ? kKept / 2 : 0)) % kKept];
     if (!kept.has(place)) {
         const FloorRegion found = Cutting(m_scene, m_beside, toVec(place)).run(cell);

@@ -62,14 +62,15 @@ public:
 
     FloorRegions(const Scene &scene, Beside beside);
 
-    /// A region that contains the position, or nullptr. isLeaning: which of two to prefer.
-    const FloorRegion *around(const phys_vec3 &place, bool isLeaning) {
-        return m_last->has(place) ? m_last : find(place, isLeaning);
+    /// A region that contains the position, or nullptr. Of a ball that moves along an axis preferably one with a face
+    /// on which it leans.
+    const FloorRegion *around(const phys_vec3 &place, const Vec2 &velocity) {
+        return m_last->has(place) ? m_last : find(place, velocity);
     }
     /// The region that was found last.
     const FloorRegion &last() const { return *m_last; }
     /// Like around, without trying the last one first.
-    const FloorRegion *find(const phys_vec3 &place, bool isLeaning);
+    const FloorRegion *find(const phys_vec3 &place, const Vec2 &velocity);
 
 private:
     static constexpr uint32_t kKept = 1024; ///< a power of two
