@@ -264,7 +264,7 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
 void follow(const Choice &choice, const Event &event, MovingBall &ball, Touching &touching) {
     const bool isSeries = std::holds_alternative<Series>(choice.phase);
     if (isSeries || event.end.cause == Cause::touch) {
-        countHop(isSeries ? kSeriesCount : kHopCount, event.end.after, ball);
+        countHop(isSeries ? seriesCount(touching.count()) : kHopCount, event.end.after, ball);
     }
     const MirrorPlanes planes(ball, touching.held());
     std::visit([&](const auto &phase) { move(phase, event.end, touching, choice.response, ball); }, choice.phase);

@@ -27,7 +27,7 @@ constexpr double kHop = 1e-5;
 double higher(const MovingBall &ball) {
     constexpr double kHigher = 100.0, kHighest = 1e6;
     double factor = 1.0;
-    for (uint32_t many = ball.hops / kManyHops; many > 0 && factor < kHighest; --many) factor *= kHigher;
+    for (uint32_t many = kManyHops; many <= ball.hops && factor < kHighest; many += kManyHops / 4) factor *= kHigher;
     return factor;
 }
 
@@ -55,7 +55,8 @@ bool meetsNothingElse(const MovingBall &ball, const Contact &contact, double tim
 /// that a bounce is. Not of a ball that already leaves: it meets the pressure without that impulse. model.md 6.4.
 double lastHopHeight(const MovingBall &ball, const Contacts &contacts, const Contact &contact, double back) {
     constexpr double kExact = 1e-15; // of the speed
-    const double least = higher(ball) * kLastHop * ball.radius();
+    if (hasManyHops(ball)) return lastHeight(ball);
+    const double least = kLastHop * ball.radius();
     const auto isGlued = [](const Contact &one) { return one.isGlued; };
     if (!hasSomeHops(ball) || std::any_of(contacts.begin(), contacts.end(), isGlued)) return least;
     if (contact.friction > 0.0 && glm::dot(ball.motion.velocity, contact.normal) >= 0.0) return least;

@@ -6,8 +6,10 @@
 
 namespace phys {
 
-/// What is counted, by its cost: one of many bounces on a face, a hop, and a phase of series between hops.
-inline constexpr uint32_t kBounceCount = 1, kHopCount = 8, kSeriesCount = 36;
+/// What is counted, by its cost: one of many bounces on a face, a hop, and a phase of series between hops with so many
+/// lasting contacts.
+inline constexpr uint32_t kBounceCount = 1, kHopCount = 8;
+constexpr uint32_t seriesCount(uint32_t contacts) { return 18 * contacts * (contacts + 1); }
 
 /// Counts a phase of this length (s) as one of those, if it is short.
 void countHop(uint32_t count, double time, MovingBall &ball);
@@ -16,8 +18,8 @@ void countHop(uint32_t count, double time, MovingBall &ball);
 inline constexpr uint32_t kSomeHops = 500 * kHopCount;
 inline bool hasSomeHops(const MovingBall &ball) { return ball.hops >= kSomeHops; }
 
-/// After this many hops in a step, a less exact result is better than none: last bounces may be higher, and after as
-/// many again higher still.
+/// After this many hops in a step, a less exact result is better than none: last bounces may be higher, and after
+/// further quarters of it higher still.
 inline constexpr uint32_t kManyHops = 7'000 * kHopCount;
 inline bool hasManyHops(const MovingBall &ball) { return ball.hops >= kManyHops; }
 
