@@ -25,22 +25,25 @@ bool pushOf(const Motion &motion, const Held &held, const MovingBall &ball, Vec3
     return true;
 }
 
+double sumOf(const std::array<double, 4> &parts) { return parts[0] + parts[1] + parts[2]; }
+
 /// Of the sum of N: the direction of a slip with few digits has few digits itself, and where two pushes are nearly
 /// opposite it takes much of them to balance little.
 double roundingOf(const Exchange &exchange, const Motion &motion, const Touching &touching, const MovingBall &ball) {
     constexpr double kSame = 2e-9, kDirection = 16.0 * 0x1p-52;
-    double rounding = kSame * accelerationScale(ball.moment());
-    for (size_t i = 0; i < exchange.count; ++i) {
-        const Held &held = touching.held(exchange.contacts[i]);
-        const double pressure = std::abs(exchange.shares[i]) * exchange.most;
-        if (held.friction == 0.0) continue;
-        const double slip = glm::length(slipAt(motion, held.normal, ball.radius()));
-        rounding += held.friction * pressure * kDirection * speedScale(ball.moment()) / slip;
-    }
     double angle = 0.0; // the largest of the sets that may carry the load, so that it is the same for each of them
     for (size_t i = 0; i < exchange.count; ++i) angle = std::max(angle, std::abs(exchange.shares[i]));
     angle *= std::abs(exchange.determinant(exchange.pushes[0], exchange.pushes[1], exchange.pushes[2]));
-    return rounding / std::min(1.0, angle);
+    double rounding = kSame * accelerationScale(ball.moment()) / std::min(1.0, angle);
+    for (size_t i = 0; i < exchange.count; ++i) {
+        const Held &held = touching.held(exchange.contacts[i]);
+        if (held.friction == 0.0) continue;
+        const Vec3 slip = slipAt(motion, held.normal, ball.radius());
+        const double force = held.friction * std::abs(exchange.shares[i]) * exchange.most;
+        const double turn = kDirection * speedScale(ball.moment()) / glm::length(slip);
+        rounding += force * turn * std::abs(sumOf(exchange.balanced(glm::cross(held.normal, hat(slip)))));
+    }
+    return rounding;
 }
 
 /// Rate of change of the sum of shares under these accelerations, 1/s.
@@ -54,8 +57,7 @@ double rateOf(const Exchange &exchange, const MovingBall &ball, const Touching &
         const Vec3 rate = acceleration - ball.radius() * glm::cross(spinAcceleration, held.normal);
         all -= exchange.shares[i] * held.friction / glm::length(slip) * (rate - glm::dot(rate, d) * d);
     }
-    const std::array<double, 4> parts = exchange.balanced(all);
-    return parts[0] + parts[1] + parts[2];
+    return sumOf(exchange.balanced(all));
 }
 
 void takeJammed(const Moment &jammed, const Touching &touching, MovingBall &ball, Response &response) {

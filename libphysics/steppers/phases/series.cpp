@@ -137,12 +137,12 @@ void Series::begin(const Response &response) {
         else
             rollingDirection(0);
     }
-    weighSlips();
     for (Contact &contact : contacts()) {
         if (contact.mode == Mode::slipping) directions(contact, 0);
         contact.rateKnown = m_a[0] - m_moment.radius * glm::cross(m_al[0], contact.n[0]) -
                             glm::cross(m_om[0], contact.held.across * m_v[0]);
     }
+    weighSlips();
     move(0);
 }
 
@@ -173,7 +173,7 @@ void Series::move(int k) {
     if (m_rolls < m_count) rollingDirection(m_rollStarts ? k : k + 1);
 }
 
-/// How fast friction changes the slips. Nothing is counted if a slip or rolling starts, which has singular series of
+/// How fast the slips change, or would by friction alone. Nothing is counted if a slip or rolling starts, which has singular series of
 /// its own.
 void Series::weighSlips() {
     m_countsSlips = false;
@@ -181,7 +181,8 @@ void Series::weighSlips() {
     for (Contact &contact : contacts()) {
         contact.weight = 0.0;
         if (contact.mode != Mode::slipping || contact.N[0] <= kNoForce * accelerationScale(m_moment)) continue;
-        contact.weight = kSlipPerFriction * contact.held.friction * contact.N[0] / glm::length(contact.u[0]);
+        const double byFriction = kSlipPerFriction * contact.held.friction * contact.N[0];
+        contact.weight = std::max(byFriction, glm::length(contact.rateKnown)) / glm::length(contact.u[0]);
         m_countsSlips = true;
     }
     for (const Contact &contact : contacts()) {
