@@ -136,6 +136,16 @@ void keepFaces(const Touching &touching, const Response &response, MovingBall &b
     }
 }
 
+/// Puts the ball on the border that it has reached, and on another one that it has reached at the same time.
+void keepBorders(const Border &border, MovingBall &ball) {
+    ball.position[border.axis] = border.coordinate;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double end : {(&border.box.min.x)[axis], (&border.box.max.x)[axis]}) {
+            if (std::abs(ball.position[axis] - end) <= ball.scene().tolerance) ball.position[axis] = end;
+        }
+    }
+}
+
 /// Bits of the contacts at which friction holds the ball after the phase.
 uint32_t stickingAfter(Cause cause, const Touching &touching, const Response &response) {
     uint32_t bits = 0;
@@ -256,7 +266,7 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
         const bool isGlued = touching.held(i).isGlued && isClosed(response, i); // model.md 2.1 R7
         if (sticks || isGlued) ball.roll();
     }
-    if (end.cause == Cause::border) ball.position[event.border.axis] = event.border.coordinate;
+    if (end.cause == Cause::border) keepBorders(event.border, ball);
 }
 
 } // namespace

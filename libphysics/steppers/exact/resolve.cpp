@@ -105,13 +105,22 @@ void holdBeside(double negligible, const MovingBall &ball, Touching &touching) {
 }
 
 /// The contacts that last: exactly at the radius, with no velocity along the normal or one whose bounce ends at once.
-void hold(double negligible, MovingBall &ball, Touching &touching) {
+void holdFound(double negligible, MovingBall &ball, Touching &touching) {
     takeFaces(touching.contacts, ball);
     touching.holdStill(ball.motion.velocity, negligible, ball.params());
     while (touching.count() < std::min(touching.contacts.count(), kMostHeld) && holdNext(negligible, ball, touching)) {
     }
     project(touching, ~0U, ball);
     holdBeside(negligible, ball, touching);
+}
+
+/// The same. A ball that stops on a border no longer belongs to the side towards which it moved: model.md 13.1.
+void hold(const Ground &ground, double negligible, MovingBall &ball, Touching &touching) {
+    const Vec3 given = ball.motion.velocity;
+    holdFound(negligible, ball, touching);
+    if (ball.motion.velocity == given) return;
+    touch(ground, ball, touching.contacts);
+    holdFound(negligible, ball, touching);
 }
 
 /// Contacts that drive the ball into each other repeatedly: all of their bounces end.
@@ -208,11 +217,11 @@ void resolve(const Ground &ground, MovingBall &ball, Touching &touching) {
         // The remainder of a velocity straight into the boxes that it hit is rounding.
         if (glm::length(ball.motion.velocity) <= 4.0 * kRounding * speed) ball.motion.velocity = Vec3(0.0);
         touch(ground, ball, touching.contacts);
-        takeEdges(touching.contacts, ball);
-        hold(negligible, ball, touching);
+        if (takeEdges(touching.contacts, ball)) touch(ground, ball, touching.contacts); // maybe something else, too
+        hold(ground, negligible, ball, touching);
     }
-    hold(negligible, ball, touching);
-    if (collide(negligible, ball, touching)) hold(negligible, ball, touching);
+    hold(ground, negligible, ball, touching);
+    if (collide(negligible, ball, touching)) hold(ground, negligible, ball, touching);
     if (isApproaching(ball, touching.contacts, negligible)) stopBounces(negligible, ball, touching);
     const double lost = roll(touching, ball);
     if (hits && wasRolling) return ball.report.lostImpact(lost); // it is part of the impact's loss

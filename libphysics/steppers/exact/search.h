@@ -285,6 +285,7 @@ struct Border {
     int axis = 0;
     double coordinate = 0.0;
     double inward = 1.0; ///< the direction along the axis to the inside of the region
+    phys_box box{};      ///< whose feature it is
 };
 
 /// The box that continues a face beyond a border that the centre has reached at p; false if there is none.
@@ -319,7 +320,8 @@ Border firstBorder(const Outlook &around, const Contact &contact, const phys_box
         for (const double sign : {-1.0, 1.0}) {
             // Over the box: its two ends. Beside it: the nearer end, from outside.
             if (side != 0 && side != (sign > 0.0 ? 1 : -1)) continue;
-            Border border{kNever, axis, sign > 0.0 ? (&box.max.x)[axis] : (&box.min.x)[axis], side == 0 ? -sign : sign};
+            Border border{kNever, axis, sign > 0.0 ? (&box.max.x)[axis] : (&box.min.x)[axis], side == 0 ? -sign : sign,
+                          box};
             if (border.inward * (around.position[axis] - border.coordinate) > way || around.isBarred(axis)) continue;
             border.after = borderTime(around, phase, border, from, until);
             if (border.after < first.after) first = border;

@@ -62,21 +62,31 @@ void takeFaces(const Contacts &contacts, MovingBall &ball) {
     }
 }
 
-void takeEdges(const Contacts &contacts, MovingBall &ball) {
+bool takeEdges(const Contacts &contacts, MovingBall &ball) {
+    const Vec3 start = ball.position;
     constexpr int kRounds = 8;
+    constexpr double kLeast = 0.01; // square of the share of a normal that is along the faces
+    Vec3 free(1.0);
+    for (const Contact &contact : contacts) {
+        if (contact.isFace()) free[axisOf(contact)] = 0.0;
+    }
     for (int round = 0; round < kRounds && contacts.count() > 1; ++round) {
+        takeFaces(contacts, ball);
         Vec3 off(0.0); // of all similar ones, so that their order doesn't matter
         double count = 0.0;
         for (const Contact &contact : contacts) {
             if (contact.isFace()) continue;
             const double gap = nearest(ball.scene().boxes[contact.box], ball.position).distance - ball.radius();
-            if (std::abs(gap) > kRounding * ball.radius()) off += gap * contact.normal;
+            const Vec3 along = free * contact.normal;
+            const double square = glm::dot(along, along);
+            const Vec3 way = square > kLeast ? along / square : contact.normal;
+            if (std::abs(gap) > kRounding * ball.radius()) off += gap * way;
             count += 1.0;
         }
-        if (off == Vec3(0.0)) return;
+        if (off == Vec3(0.0)) break;
         ball.position -= off / count;
-        takeFaces(contacts, ball);
     }
+    return ball.position != start;
 }
 
 void project(const Touching &touching, uint32_t among, MovingBall &ball) {

@@ -40,8 +40,8 @@ private:
 void takeFaces(const Contacts &contacts, MovingBall &ball);
 
 /// The same for edges and corners beside other contacts: impacts with nearly touched ones would drive the ball back and
-/// forth without end.
-void takeEdges(const Contacts &contacts, MovingBall &ball);
+/// forth without end. Whether that has moved the ball.
+bool takeEdges(const Contacts &contacts, MovingBall &ball);
 
 /// Removes the remaining velocity along the normals of lasting contacts. among: their bits.
 void project(const Touching &touching, uint32_t among, MovingBall &ball);

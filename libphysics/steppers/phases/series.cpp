@@ -173,8 +173,8 @@ void Series::move(int k) {
     if (m_rolls < m_count) rollingDirection(m_rollStarts ? k : k + 1);
 }
 
-/// How fast the slips change, or would by friction alone. Nothing is counted if a slip or rolling starts, which has singular series of
-/// its own.
+/// How fast the slips change, or would by friction alone. Nothing is counted if a slip or rolling starts, which has
+/// singular series of its own.
 void Series::weighSlips() {
     m_countsSlips = false;
     m_known.fill({0.0, 0.0});
