@@ -18,7 +18,7 @@ struct WrongLine {
     QString reason;
 };
 
-QString shown(const QByteArray &text) { return quoted(QString::fromUtf8(text)); }
+QString shown(const QByteArray &text) { return foundText(QString::fromUtf8(text)); }
 
 [[noreturn]] void fail(const QString &expected, const QByteArray &found) {
     throw WrongLine{QStringLiteral("expected %1, found %2").arg(expected, shown(found))};

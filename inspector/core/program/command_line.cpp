@@ -91,7 +91,7 @@ double parameterOf(const QString &option, const QString &text, const phys_param_
     const NumberRange range{row.min, row.max, QString::fromUtf8(row.unit)};
     const NumberReading read = isNumber ? readNumber(text, range) : readWholeNumber(text, range);
     if (isNumber || read.value) return valueOf(option, read);
-    throw WrongUse{QStringLiteral("--%1: expected %2, found %3").arg(option, expectedOf(row), quoted(text))};
+    throw WrongUse{QStringLiteral("--%1: expected %2, found %3").arg(option, expectedOf(row), foundText(text))};
 }
 
 void readParameterFile(const QString &path, Options &options) {
@@ -142,7 +142,7 @@ void readView(const QCommandLineParser &parser, Options &options) {
     if (options.headless)
         throw WrongUse{QStringLiteral("--view: nothing is drawn without a window; leave out --headless")};
     if (view != QLatin1String("2d") && view != QLatin1String("3d"))
-        throw WrongUse{QStringLiteral("--view: expected 3d or 2d, found %1").arg(quoted(view))};
+        throw WrongUse{QStringLiteral("--view: expected 3d or 2d, found %1").arg(foundText(view))};
     options.view = view == QLatin1String("2d") ? Options::View::Flat : Options::View::Solid;
 }
 
@@ -155,14 +155,14 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
     options.grab = parser.value("grab");
     if (parser.isSet("grab") && !options.grab.endsWith(QLatin1String(".png")))
         throw WrongUse{
-            QStringLiteral("--grab: expected a file name ending in .png, found %1").arg(quoted(options.grab))};
+            QStringLiteral("--grab: expected a file name ending in .png, found %1").arg(foundText(options.grab))};
     for (const char *name : {"csv", "record", "replay", "grab", "plot", "parameters", "fit", "track"})
         if (parser.isSet(name) && parser.value(name).isEmpty())
-            throw WrongUse{QStringLiteral("--%1: expected the name of a file, found ''").arg(name)};
+            throw WrongUse{QStringLiteral("--%1: expected the name of a file, found nothing").arg(name)};
     for (const char *ending : {".png", ".svg", ".pdf"})
         if (options.csv.endsWith(QLatin1String(ending), Qt::CaseInsensitive))
             throw WrongUse{
-                QStringLiteral("--csv: expected a file name ending in .csv, found %1").arg(quoted(options.csv))};
+                QStringLiteral("--csv: expected a file name ending in .csv, found %1").arg(foundText(options.csv))};
     if (parser.isSet("csv-every")) options.csvEvery = uint64_t(wholeNumberOf(parser, "csv-every", 1, 1e9));
     if (options.headless && parser.isSet("grab"))
         throw WrongUse{QStringLiteral("--grab: there is no picture without a window; leave out --headless")};
@@ -171,7 +171,7 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
     readView(parser, options);
     options.shaders = parser.value("shaders");
     if (parser.isSet("shaders") && !isFolder(options.shaders))
-        throw WrongUse{QStringLiteral("--shaders: expected a folder, found %1").arg(quoted(options.shaders))};
+        throw WrongUse{QStringLiteral("--shaders: expected a folder, found %1").arg(foundText(options.shaders))};
     if (parser.isSet("all-levels") && (parser.isSet("csv") || parser.isSet("level")))
         throw WrongUse{QStringLiteral("--all-levels: takes neither --csv nor --level")};
 }
@@ -211,7 +211,7 @@ void readGhostsParameters(const QCommandLineParser &parser, Options &options) {
             throw WrongUse{
                 QStringLiteral("--compare-set: expected parameters other than the tilt, as rolling_friction=0.004, "
                                "found %1")
-                    .arg(quoted(word))};
+                    .arg(foundText(word))};
         const phys_param_row &row = parameters.row(index);
         const QString id = QString::fromUtf8(row.id);
         if (std::ranges::count(options.comparisonSettings, id, &Setting::id) > 0)
@@ -278,7 +278,8 @@ void readTrade(const QCommandLineParser &parser, Options &options) {
     checkTradeWords(parser);
     if (!parser.isSet("trade")) return;
     const auto wrong = [&](const char *name, const char *expected) {
-        return WrongUse{QStringLiteral("--%1: expected %2, found %3").arg(name, expected, quoted(parser.value(name)))};
+        return WrongUse{
+            QStringLiteral("--%1: expected %2, found %3").arg(name, expected, foundText(parser.value(name)))};
     };
     options.action = Options::Action::Trade;
     options.headless = true;
@@ -316,7 +317,7 @@ QString fileOf(const QCommandLineParser &parser) {
     if (words.size() > 1)
         throw WrongUse{QStringLiteral("expected one file, found %1 and %2; --help lists the options")
                            .arg(quoted(words[0]), quoted(words[1]))};
-    if (words[0].isEmpty()) throw WrongUse{QStringLiteral("expected the name of a file, found ''")};
+    if (words[0].isEmpty()) throw WrongUse{QStringLiteral("expected the name of a file, found nothing")};
     QStringList others{"trade", "fit", "all-levels"};
     others += isTrackFile(words[0]) ? QStringList{"track"} : QStringList{"level", "replay"};
     for (const QString &name : others)
@@ -330,8 +331,8 @@ TrackFrame readFrame(const QCommandLineParser &parser) {
     const NumberRange length{-1e6, 1e6, QStringLiteral("mm")};
     const NumberRange ranges[] = {length, length, {-1e6, 1e6, QStringLiteral("deg")}, {1e-6, 1e6}};
     if (words.size() != qsizetype(std::size(ranges)))
-        throw WrongUse{QStringLiteral("--track-frame: expected x,y,angle,scale as 12,-3,90,1, found '%1'")
-                           .arg(parser.value("track-frame"))};
+        throw WrongUse{QStringLiteral("--track-frame: expected x,y,angle,scale as 12,-3,90,1, found %1")
+                           .arg(foundText(parser.value("track-frame")))};
     std::vector<double> numbers;
     for (qsizetype i = 0; i < words.size(); ++i)
         numbers.push_back(valueOf(QStringLiteral("track-frame"), readNumber(words[i], ranges[i])));

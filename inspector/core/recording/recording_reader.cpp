@@ -21,7 +21,7 @@ struct WrongLine {
 };
 
 [[noreturn]] void fail(const QString &expected, const QByteArray &found) {
-    throw WrongLine{QStringLiteral("expected %1, found %2").arg(expected, quoted(decodePath(found.left(60))))};
+    throw WrongLine{QStringLiteral("expected %1, found %2").arg(expected, foundText(decodePath(found.left(60))))};
 }
 
 template<class Number, class... Base>

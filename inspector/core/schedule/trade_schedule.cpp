@@ -41,10 +41,10 @@ public:
         const std::optional<Row> row = rowOf(fields);
         if (!row || !isNext(*row)) {
             *error =
-                QStringLiteral("expected %1, found '%2'")
+                QStringLiteral("expected %1, found %2")
                     .arg(m_rows.empty() && !m_isTable ? QStringLiteral("0 s and two tilts within 89 degrees")
                                                       : QStringLiteral("a later time and two tilts within 89 degrees"),
-                         text.left(60));
+                         foundText(text.left(60)));
             return false;
         }
         m_rows.push_back(*row);

@@ -74,6 +74,8 @@ QString quoted(const QString &text) {
     return QLatin1Char('\'') + oneLine(shown) + QLatin1Char('\'');
 }
 
+QString foundText(const QString &text) { return text.trimmed().isEmpty() ? QStringLiteral("nothing") : quoted(text); }
+
 void report(QTextStream &messages, const QString &line) {
     messages << "physics-inspector: " << oneLine(line) << '\n';
     messages.flush();

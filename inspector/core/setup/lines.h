@@ -11,6 +11,8 @@ namespace inspector {
 QString oneLine(const QString &text);
 /// The same between single quotes; texts longer than 200 characters lose their middle.
 QString quoted(const QString &text);
+/// What was found in place of something expected: the same, or "nothing" without any letter.
+QString foundText(const QString &text);
 
 /// Prints "physics-inspector: LINE", escaped to a single line.
 void report(QTextStream &messages, const QString &line);

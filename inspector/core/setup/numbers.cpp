@@ -110,7 +110,7 @@ struct Amount {
 
 QString unitsLike(const QString &wanted) {
     const Unit *known = unitOf(wanted);
-    if (!known) return wanted;
+    if (!known) return printedUnit(wanted);
     QStringList names;
     for (const Unit &unit : kUnits)
         if (*unit.name && qstrcmp(unit.kind, known->kind) == 0) names += QString::fromUtf8(unit.name);
@@ -157,7 +157,7 @@ Amount amountOf(QString text, const QString &unit) {
 
 QString withUnit(double value, const QString &unit) {
     const QString number = QString::fromLatin1(exactText(value));
-    return unit.isEmpty() ? number : number + QLatin1Char(' ') + unit;
+    return unit.isEmpty() ? number : number + QLatin1Char(' ') + printedUnit(unit);
 }
 
 QString expectedOf(const NumberRange &range, const QString &what) {
@@ -168,11 +168,11 @@ QString expectedOf(const NumberRange &range, const QString &what) {
             .arg(what, QString::fromLatin1(exactText(range.min)), withUnit(range.max, range.unit));
     if (hasMin) return QStringLiteral("%1 from %2").arg(what, withUnit(range.min, range.unit));
     if (hasMax) return QStringLiteral("%1 up to %2").arg(what, withUnit(range.max, range.unit));
-    return range.unit.isEmpty() ? what : QStringLiteral("%1 in %2").arg(what, range.unit);
+    return range.unit.isEmpty() ? what : QStringLiteral("%1 in %2").arg(what, printedUnit(range.unit));
 }
 
 NumberReading refusal(const QString &expected, const QString &text, const QString &why) {
-    const QString line = QStringLiteral("expected %1, found %2").arg(expected, quoted(text));
+    const QString line = QStringLiteral("expected %1, found %2").arg(expected, foundText(text));
     return {std::nullopt, why.isEmpty() ? line : line + QStringLiteral(", ") + why};
 }
 
@@ -182,6 +182,13 @@ NumberReading within(const NumberRange &range, const Amount &amount, const QStri
 }
 
 } // namespace
+
+QString printedUnit(const QString &unit) {
+    if (unit == QLatin1String("deg")) return QStringLiteral("°");
+    if (unit == QLatin1String("us")) return QStringLiteral("µs");
+    QString printed = unit;
+    return printed.replace(QLatin1String("^2"), QStringLiteral("²")).replace(QLatin1Char('*'), QStringLiteral("·"));
+}
 
 NumberReading readNumber(const QString &text, const NumberRange &range) {
     const Amount amount = amountOf(text, range.unit);

@@ -11,6 +11,9 @@
 
 namespace inspector {
 
+/// A unit as people read it, in every text for them: m/s², a degree sign for deg. Files have it as it is typed.
+QString printedUnit(const QString &unit);
+
 /// Which numbers are accepted.
 struct NumberRange {
     double min = -std::numeric_limits<double>::infinity();

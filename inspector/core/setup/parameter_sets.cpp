@@ -89,7 +89,7 @@ std::optional<ParameterSet> readSet(const QByteArray &text, const QString &file,
     int number = 0;
     const auto fail = [&](const QString &expected, const QByteArray &found) {
         const QString line = QStringLiteral("%1:%2: expected %3, found %4");
-        if (error) *error = line.arg(file).arg(number).arg(expected, quoted(QString::fromUtf8(found)));
+        if (error) *error = line.arg(file).arg(number).arg(expected, foundText(QString::fromUtf8(found)));
         return std::nullopt;
     };
     for (const QByteArray &line : text.split('\n')) {

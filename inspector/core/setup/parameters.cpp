@@ -87,7 +87,7 @@ bool Parameters::set(const std::vector<Setting> &settings, QString *error) {
     for (const Setting &setting : settings) {
         const int index = indexOf(setting.id);
         if (index < 0) {
-            if (error) *error = "expected the id of a parameter, found " + quoted(setting.id);
+            if (error) *error = "expected the id of a parameter, found " + foundText(setting.id);
             return false;
         }
         phys_error failure;

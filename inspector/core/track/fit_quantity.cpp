@@ -78,7 +78,7 @@ std::vector<FitQuantity> fitQuantities() {
         coefficient("wall_friction", kMostFriction, 1e-5, 0.4, {}, true, &phys_params::wall_friction),
         {QStringLiteral("gravity"),
          QStringLiteral("Gravity"),
-         QStringLiteral("m/s²"),
+         QStringLiteral("m/s^2"),
          1.0,
          1.0,
          30.0,

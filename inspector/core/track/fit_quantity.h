@@ -13,7 +13,7 @@ namespace inspector {
 struct FitQuantity {
     QString id;            ///< rolling_friction
     QString label;         ///< for display: Rolling friction
-    QString unit;          ///< for display; "" if it has none
+    QString unit;          ///< of its values here and in files; "" if it has none
     double perUnit;        ///< SI units in one display unit
     double lower, upper;   ///< SI, bounds
     double increment;      ///< SI, for finite differences: changes positions by less than the measurement noise

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/track/fit_report.h"
 
+#include "core/setup/numbers.h"
 #include "core/setup/tables.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 constexpr double kMilli = 1e3;  ///< mm/m
 constexpr double kStrong = 0.8; ///< stronger correlations are reported
 
-QString unitText(const QString &unit) { return unit.isEmpty() ? QString() : QLatin1Char(' ') + unit; }
+QString unitText(const QString &unit) { return unit.isEmpty() ? QString() : QLatin1Char(' ') + printedUnit(unit); }
 
 /// Rounded to two significant digits of the interval.
 QString rounded(double value, double interval) {

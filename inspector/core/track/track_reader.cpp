@@ -245,7 +245,7 @@ private:
         const QString text = m_header.text(fields, quantity);
         const QString why = readNumber(text, {}).problem; // it reads more forms
         *problem = QStringLiteral("column %1: %2")
-                       .arg(QLatin1String(column), why.isEmpty() ? "expected a number, found " + quoted(text) : why);
+                       .arg(QLatin1String(column), why.isEmpty() ? "expected a number, found " + foundText(text) : why);
         return value;
     }
 
@@ -357,8 +357,8 @@ std::optional<TrackUnits> parseTrackUnits(const QString &words, QString *error) 
             (text == QLatin1String("x") ? units.mirrorsX : units.mirrorsY) = true;
         }
         if (scale) continue;
-        *error = QStringLiteral("expected t=ms, x=mm, tilt=rad, px=0.25mm, fps=60 or mirror=y, found '%1'")
-                     .arg(word.trimmed().left(60));
+        *error = QStringLiteral("expected t=ms, x=mm, tilt=rad, px=0.25mm, fps=60 or mirror=y, found %1")
+                     .arg(foundText(word.trimmed().left(60)));
         return std::nullopt;
     }
     return units;
@@ -376,10 +376,10 @@ std::optional<Track> readTrack(QIODevice &device, const QString &name, const Tra
         }
         header.emplace(line, units);
         if (const QString problem = header->problem(); !problem.isEmpty()) {
-            *error = QStringLiteral("%1:%2: expected %3 in the header, found '%4'")
+            *error = QStringLiteral("%1:%2: expected %3 in the header, found %4")
                          .arg(name)
                          .arg(number)
-                         .arg(problem, line.left(80));
+                         .arg(problem, foundText(line.left(80)));
             return std::nullopt;
         }
         builder.emplace(*header, units, name);

@@ -4,6 +4,7 @@
 #include "core/engine/engine.h"
 #include "core/schedule/busy_schedule.h"
 #include "core/schedule/recording_schedule.h"
+#include "core/setup/lines.h"
 
 #include <QStringList>
 
@@ -30,7 +31,7 @@ TiltSchedule makeSchedule(const QString &words, const TradePlan &plan, double du
     bool isNumber = false;
     const uint64_t seed = words.mid(random.size()).toULongLong(&isNumber);
     if (isNumber) return randomSchedule(seed, duration);
-    *error = QStringLiteral("expected random: and a whole number, found '%1'").arg(words);
+    *error = QStringLiteral("expected random: and a whole number, found %1").arg(foundText(words));
     return {};
 }
 

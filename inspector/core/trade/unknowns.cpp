@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trade/unknowns.h"
 
+#include "core/setup/lines.h"
 #include "core/setup/numbers.h"
 #include "core/setup/parameters.h"
 
@@ -107,8 +108,8 @@ std::optional<Unknown> parseAmount(const Quantity &quantity, const QString &text
     if (amount.value && *amount.value > 0.0)
         return Unknown{quantity.id, isShare ? 0.01 * *amount.value : quantity.scale * *amount.value, isShare};
     const QString orShare = quantity.hasShare ? QStringLiteral(" or %1=10%").arg(quantity.id) : QString();
-    *error = amount.value || text.isEmpty() ? QStringLiteral("expected an amount above 0, as %1=0.1%2%3; found '%4'")
-                                                  .arg(quantity.id, quantity.unit, orShare, text.left(60))
+    *error = amount.value || text.isEmpty() ? QStringLiteral("expected an amount above 0, as %1=0.1%2%3; found %4")
+                                                  .arg(quantity.id, quantity.unit, orShare, foundText(text.left(60)))
                                             : quantity.id + QStringLiteral(": ") + amount.problem;
     return std::nullopt;
 }
@@ -127,7 +128,7 @@ std::optional<Unknowns> parseUnknowns(const QString &words, QString *error) {
         const QString id = word.section(QLatin1Char('='), 0, 0).trimmed().replace(QLatin1Char('-'), QLatin1Char('_'));
         const Quantity *quantity = find(id);
         if (!quantity) {
-            *error = QStringLiteral("expected one of %1, or none; found '%2'").arg(names(), id.left(60));
+            *error = QStringLiteral("expected one of %1, or none; found %2").arg(names(), foundText(id.left(60)));
             return std::nullopt;
         }
         const std::optional<Unknown> unknown =

@@ -2,7 +2,7 @@
 #include "ui/bounces/bounce_table_model.h"
 
 #include "core/events/event_table.h"
-#include "ui/parts/printed_unit.h"
+#include "core/setup/numbers.h"
 
 #include <algorithm>
 #include <vector>

@@ -97,6 +97,7 @@ void ParameterRow::addNumber(QGridLayout &grid, int line) {
     const SliderScale scale(m_row);
     auto *slider = new FineSlider(scale.last(), SliderScale::kFine);
     adopt(slider, "_slider");
+    m_slider = slider;
     m_box = new NumberBox;
     NumberBox::Kind kind = numberKind({m_row.min, m_row.max, QString::fromUtf8(m_row.unit)}, m_row.step);
     kind.widest = kind.show(12.34);
@@ -164,10 +165,12 @@ void ParameterRow::setLocked(const QString &reason) {
     m_isLocked = !reason.isEmpty();
     if (m_isLocked) takeBack();
     const QString tip = wrapped(m_isLocked ? help() + QStringLiteral("\n\n") + reason : help());
+    const NumberRange reach{m_row.low, m_row.high, QString::fromUtf8(m_row.unit)};
     for (QWidget *widget : m_widgets) {
         widget->setEnabled(!m_isLocked);
         if (widget != m_box || !m_box->isRefused()) widget->setToolTip(tip);
     }
+    if (m_slider) m_slider->setToolTip(tip + QLatin1Char('\n') + numberKind(reach, m_row.step).range);
     m_reset->setEnabled(!m_isInitial && !m_isLocked);
     m_reset->setToolTip(tr("Back to %1").arg(m_row.initial));
     m_reset->setAccessibleName(tr("%1: back to %2").arg(name()).arg(m_row.initial));

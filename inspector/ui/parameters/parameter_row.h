@@ -64,7 +64,8 @@ private:
     phys_param_row m_row;
     Place m_place;
     std::vector<QWidget *> m_widgets;
-    NumberBox *m_box = nullptr; ///< null for a choice or a switch
+    QWidget *m_slider = nullptr; ///< null for a choice or a switch, as the next one
+    NumberBox *m_box = nullptr;
     QToolButton *m_reset;
     QWidget *m_label = nullptr; ///< names the ghost
     std::function<void(double)> m_show;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parts/number_box.h"
 
-#include "ui/parts/printed_unit.h"
+#include "core/setup/numbers.h"
 #include "ui/parts/theme.h"
 
 #include <QHelpEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/quantity_menu.h"
 
-#include "ui/parts/printed_unit.h"
+#include "core/setup/numbers.h"
 
 #include <QMenu>
 

@@ -50,7 +50,7 @@ FitTable::FitTable(QWidget *parent)
         setItem(row, Begin, begin);
         showReason(*begin, {});
         for (const Column column : {Found, Unit}) {
-            auto *item = new QTableWidgetItem(column == Unit ? quantity.unit : QString());
+            auto *item = new QTableWidgetItem(column == Unit ? printedUnit(quantity.unit) : QString());
             item->setFlags(Qt::ItemIsEnabled);
             setItem(row, column, item);
         }
@@ -145,7 +145,11 @@ QString FitTable::othersOf(const FitPlan &plan) const {
         const bool isFitted = std::ranges::count(plan.quantities, quantity.id, &FitQuantity::id) > 0;
         if (isFitted || !isTyped(quantity) || quantity.of(assumed) == quantity.of(now)) continue;
         const double value = quantity.of(assumed) / quantity.perUnit;
-        others += QStringLiteral("%1 of %2 %3").arg(quantity.label).arg(value, 0, 'g', 6).arg(quantity.unit).trimmed();
+        others += QStringLiteral("%1 of %2 %3")
+                      .arg(quantity.label)
+                      .arg(value, 0, 'g', 6)
+                      .arg(printedUnit(quantity.unit))
+                      .trimmed();
     }
     return others.join(QStringLiteral(", "));
 }

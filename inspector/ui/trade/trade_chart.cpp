@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trade/trade_chart.h"
 
+#include "core/setup/numbers.h"
 #include "core/setup/tables.h"
 #include "core/trade/trade_table.h"
-#include "ui/parts/printed_unit.h"
 #include "ui/plots/chart_style.h"
 
 #include <QToolTip>

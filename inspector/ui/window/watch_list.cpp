@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/watch_list.h"
 
-#include "ui/parts/printed_unit.h"
+#include "core/setup/numbers.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/plots/quantity_menu.h"
 #include "ui/plots/quantity_plot.h"

@@ -251,7 +251,7 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
     QTest::newRow("csv-every zero") << "--csv-every 0"
                                     << "--csv-every";
     QTest::newRow("parameter no number") << "--tilt-x steep"
-                                         << "--tilt-x: expected a number from -80 to 80 deg, found 'steep'";
+                                         << "--tilt-x: expected a number from -80 to 80 \u00b0, found 'steep'";
     QTest::newRow("parameter out of range") << "--restitution-wall 1.5"
                                             << "--restitution-wall: expected a number from 0 to 1, found '1.5'";
     QTest::newRow("parameter infinite") << "--rolling-friction inf"

@@ -69,7 +69,7 @@ void TestRecordingRefusals::wrongTextIsRefusedWithItsLine_data() {
     QTest::newRow("other version") << QByteArray("physics-") << QByteArray("physics-recording 2")
                                    << "expected version 1 of the format, found '2'";
     QTest::newRow("no version") << QByteArray("physics-") << QByteArray("physics-recording")
-                                << "expected version 1 of the format, found ''";
+                                << "expected version 1 of the format, found nothing";
     QTest::newRow("unknown word") << QByteArray("dt") << QByteArray("duration 3")
                                   << "expected the hash of a step or a word as 'set', found 'duration 3'";
     QTest::newRow("unknown stepper") << QByteArray("stepper") << QByteArray("stepper perpetual 1") << "perpetual";

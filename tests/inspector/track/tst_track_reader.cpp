@@ -130,8 +130,9 @@ void TestTrackReader::rowsThatCantBeUsedAreLeftOutAndTold_data() {
     QTest::newRow("not finite") << QByteArray("20,inf,0")
                                 << "t.csv:14: column x: expected a number, found 'inf', which isn't a finite number; "
                                    "left out";
-    QTest::newRow("too short") << QByteArray("20,1") << "t.csv:14: column y: expected a number, found ''; left out";
-    QTest::newRow("no time") << QByteArray(",1,1") << "t.csv:14: column t: expected a number, found ''; left out";
+    QTest::newRow("too short") << QByteArray("20,1")
+                               << "t.csv:14: column y: expected a number, found nothing; left out";
+    QTest::newRow("no time") << QByteArray(",1,1") << "t.csv:14: column t: expected a number, found nothing; left out";
     QTest::newRow("back in time") << QByteArray("10.5,1,1")
                                   << "t.csv:14: expected a time after 11 s, found 10.5 s; left out";
     QTest::newRow("the same time") << QByteArray("11,1,1")

@@ -118,7 +118,7 @@ void TestTradeCommand::wrongUseIsOneLine_data() {
     row("--trade 1 --stepper rk4", "--trade: doesn't go with --stepper");
     row("--share 0.5", "--share: needs --trade");
     row("--trade 1 --share 0", "--share: expected a number from 1e-06 to 1, found '0'");
-    row("--trade 1 --unknown tilt", "--unknown: expected an amount above 0, as tilt=0.1deg; found ''");
+    row("--trade 1 --unknown tilt", "--unknown: expected an amount above 0, as tilt=0.1deg; found nothing");
     row("--trade 99", QString("--trade: expected 1 to %1, found 99").arg(levelCount()));
 }
 

@@ -94,7 +94,7 @@ void TestTradeUnknowns::wrongWordsAreOneLine_data() {
     QTest::newRow("choice") << "model=1"
                             << "found 'model'";
     QTest::newRow("no amount") << "tilt"
-                               << "as tilt=0.1deg; found ''";
+                               << "as tilt=0.1deg; found nothing";
     QTest::newRow("zero") << "tilt=0"
                           << "an amount above 0";
     QTest::newRow("start has no percent")
@@ -103,9 +103,10 @@ void TestTradeUnknowns::wrongWordsAreOneLine_data() {
     QTest::newRow("wrong unit")
         << "rolling_friction=1deg"
         << "rolling_friction: expected a number from 0 to 1e+06, found '1deg', where no unit belongs";
-    QTest::newRow("tilt in metres") << "tilt=1m"
-                                    << "tilt: expected a number from 0 to 80 deg, found '1m', whose unit isn't one of: "
-                                       "deg rad";
+    QTest::newRow("tilt in metres")
+        << "tilt=1m"
+        << "tilt: expected a number from 0 to 80 \u00b0, found '1m', whose unit isn't one of: "
+           "deg rad";
     QTest::newRow("share beyond 0") << "restitution_wall=500%"
                                     << "restitution_wall: expected a number from 0 to 100 %, found '500%'";
     QTest::newRow("more than there can be") << "restitution_wall=2"
@@ -115,7 +116,7 @@ void TestTradeUnknowns::wrongWordsAreOneLine_data() {
     QTest::newRow("twice") << "tilt=1,tilt=2"
                            << "'tilt' is named twice";
     QTest::newRow("nothing") << ""
-                             << "found ''";
+                             << "found nothing";
 }
 
 void TestTradeUnknowns::wrongWordsAreOneLine() {

@@ -34,6 +34,7 @@ private slots:
     void numbersAreReadAlikeInEveryLocale();
     void unreadableNumberStaysMarkedWithItsReason_data();
     void unreadableNumberStaysMarkedWithItsReason();
+    void emptyNumberIsRefusedAsNothing();
     void escTakesTheEditBack();
     void unreadableNumberStaysWhereTheFieldIsLeft();
     void refusedTextKeepsTheKeyboard_data();
@@ -44,6 +45,7 @@ private slots:
     void enterInTheTimeStepAppliesItAndPlaysNothing();
     void toolTipOfANumberTellsItsRange_data();
     void toolTipOfANumberTellsItsRange();
+    void toolTipOfASliderTellsItsRange();
     void unitOfTheTimeStepIsSaidWhileItIsTyped();
     void enterInAnOpenListAppliesItAndPlaysNothing_data();
     void enterInAnOpenListAppliesItAndPlaysNothing();
@@ -137,10 +139,19 @@ void TestWindowInput::unreadableNumberStaysMarkedWithItsReason() {
     QCOMPARE(box->text(), text);
     const auto *reason = m_fixture->find<QLabel>("gravity_box_note");
     QVERIFY(reason->isVisible());
-    QVERIFY2(reason->text().contains("to 1000 m/s^2") && reason->text().contains(text), qPrintable(reason->text()));
+    QVERIFY2(reason->text().contains("to 1000 m/s\u00b2") && reason->text().contains(text), qPrintable(reason->text()));
     QVERIFY(box->hasFocus());
     QCOMPARE(m_fixture->simulated("gravity"), 9.81);
     QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
+}
+
+void TestWindowInput::emptyNumberIsRefusedAsNothing() {
+    const NumberBox *box = focused("gravity_box");
+    m_fixture->key(Qt::Key_Backspace);
+    m_fixture->key(Qt::Key_Return);
+    QVERIFY(box->isRefused());
+    const QString reason = m_fixture->find<QLabel>("gravity_box_note")->text();
+    QVERIFY2(reason.endsWith(", found nothing"), qPrintable(reason));
 }
 
 void TestWindowInput::escTakesTheEditBack() {
@@ -280,6 +291,12 @@ void TestWindowInput::toolTipOfANumberTellsItsRange() {
     QHelpEvent asked(QEvent::ToolTip, box->rect().center(), box->mapToGlobal(box->rect().center()));
     QApplication::sendEvent(box, &asked);
     QVERIFY2(QToolTip::text().endsWith('\n' + range), qPrintable(QToolTip::text()));
+}
+
+// What the slider reaches, which is less than what can be typed.
+void TestWindowInput::toolTipOfASliderTellsItsRange() {
+    const QString tip = m_fixture->find<QSlider>("gravity_slider")->toolTip();
+    QVERIFY2(tip.endsWith("\nFrom 0.1 to 25 m/s²"), qPrintable(tip));
 }
 
 void TestWindowInput::unitOfTheTimeStepIsSaidWhileItIsTyped() {

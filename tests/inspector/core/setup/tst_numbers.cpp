@@ -136,7 +136,7 @@ void TestNumbers::whatCantBeReadIsRefusedWithTheReason_data() {
     QTest::addColumn<QString>("problem"); // after "expected a number from 0 to 10, found "
     QTest::newRow("nothing") << ""
                              << ""
-                             << "''";
+                             << "nothing";
     QTest::newRow("word") << "fast"
                           << ""
                           << "'fast'";
@@ -184,7 +184,7 @@ void TestNumbers::whatCantBeReadIsRefusedWithTheReason_data() {
                                           << "'5 m', whose unit isn't one of: ns us ms s min";
     QTest::newRow("no unit at all") << "5 apples"
                                     << "m/s^2"
-                                    << "'5 apples', whose unit isn't one of: m/s^2";
+                                    << "'5 apples', whose unit isn't one of: m/s\u00b2";
     QTest::newRow("line break") << "1\n2"
                                 << ""
                                 << "'1\\n2'";
@@ -197,8 +197,8 @@ void TestNumbers::whatCantBeReadIsRefusedWithTheReason() {
     QFETCH(QString, problem);
     const NumberReading read = readNumber(text, {0.0, 10.0, unit});
     QVERIFY(!read.value);
-    QCOMPARE(read.problem,
-             QString("expected a number from 0 to 10%1, found %2").arg(unit.isEmpty() ? "" : " " + unit, problem));
+    QCOMPARE(read.problem, QString("expected a number from 0 to 10%1, found %2")
+                               .arg(unit.isEmpty() ? "" : " " + printedUnit(unit), problem));
 }
 
 void TestNumbers::wholeNumbersHaveNoFraction() {

@@ -7,9 +7,6 @@
 
 namespace inspector::ui {
 
-/// A unit as typeset: a degree sign for deg, raised powers.
-QString printedUnit(const QString &unit);
-
 /// Gravity of 1.62 m/s², Restitution, walls of 0.5
 QString settingsText(const Parameters &parameters, const std::vector<Setting> &settings);
 

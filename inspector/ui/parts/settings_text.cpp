@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/parts/printed_unit.h"
+#include "ui/parts/settings_text.h"
+
+#include "core/setup/numbers.h"
 
 #include <QStringList>
 
 namespace inspector::ui {
-
-QString printedUnit(const QString &unit) {
-    if (unit == QLatin1String("deg")) return QStringLiteral("°");
-    if (unit == QLatin1String("us")) return QStringLiteral("µs");
-    QString printed = unit;
-    return printed.replace(QLatin1String("^2"), QStringLiteral("²")).replace(QLatin1Char('*'), QStringLiteral("·"));
-}
 
 QString settingsText(const Parameters &parameters, const std::vector<Setting> &settings) {
     QStringList texts;
