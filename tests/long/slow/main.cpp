@@ -71,6 +71,21 @@ Finding timed(const char *id, const Case &scene) {
     return finding;
 }
 
+void sortByTime(std::vector<Finding> &findings) {
+    std::sort(findings.begin(), findings.end(),
+              [](const Finding &a, const Finding &b) { return a.seconds > b.seconds; });
+}
+
+/// Takes the shortest of several measurements, as other programs disturb single ones.
+void timeAgain(const char *stepper, std::vector<Finding> &findings) {
+    for (Finding &finding : findings) {
+        for (int repetition = 0; repetition < 3; ++repetition) {
+            finding.seconds = std::min(finding.seconds, timed(stepper, finding.scene).seconds);
+        }
+    }
+    sortByTime(findings);
+}
+
 Case levelAt(const char *path, Random &random) {
     phys_scene *scene = nullptr;
     phys_error error{};
@@ -173,10 +188,10 @@ int main(int count, char **arguments) {
                            : kind < kinds ? witness::drawCase(kind, random.bits() >> 20U, random.below(2))
                                           : levelAt(arguments[5 + kind - kinds], random);
         slowest.push_back(timed(stepper, scene));
-        std::sort(slowest.begin(), slowest.end(),
-                  [](const Finding &a, const Finding &b) { return a.seconds > b.seconds; });
+        sortByTime(slowest);
         if (slowest.size() > kKept) slowest.pop_back();
     }
+    timeAgain(stepper, slowest);
     if (slowest.empty()) return 0;
     const Finding &worst = slowest.front();
     std::printf("%llu scenes; slowest call of %s: %.1f ms, %s, in a scene from %s\n",
