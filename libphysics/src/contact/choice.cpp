@@ -9,10 +9,10 @@ namespace phys {
 
 namespace {
 
-constexpr uint32_t kMostChosen = 4;                ///< contacts
-constexpr uint64_t kMostChoice = Work::kMost / 80; ///< work of one choice
-constexpr uint64_t kCounted = 2;                   ///< of so many units of a choice one counts: its equations are small
-constexpr double kSettled = 1e-9;                  ///< change of a direction that is left to Newton's method
+constexpr uint32_t kMostChosen = 4;       ///< contacts
+constexpr uint64_t kMostChoice = 250'000; ///< work of one choice
+constexpr uint64_t kCounted = 2;          ///< of so many units of a choice one counts: its equations are small
+constexpr double kSettled = 1e-9;         ///< change of a direction that is left to Newton's method
 
 struct Substep {
     const Moment &moment;
