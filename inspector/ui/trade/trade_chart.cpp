@@ -82,22 +82,36 @@ TradeChart::TradeChart(QWidget *parent)
     arrange();
 }
 
-/// The legend never lies on the curves: it is beside them, or below where that would leave them no room.
+/// The legend never lies on the curves: it is beside them, or below where that would leave them no room, or left out
+/// where neither has any; the points' tool tips have the names.
 void TradeChart::arrange() {
     wrapTitle();
     const bool isBeside = width() >= kWide;
-    QCPLayout *wanted = isBeside ? m_beside : m_below;
-    if (legend->layout() != wanted) {
-        legend->layout()->take(legend);
-        isBeside ? m_beside->addElement(0, 0, legend) : m_below->addElement(1, 0, legend);
-        m_below->simplify();
-        if (!isBeside) m_below->setRowStretchFactor(1, 0.001);
-    }
+    wrapLegend(isBeside);
+    const bool hasRoom = isBeside || hasRoomBelow();
+    legend->setVisible(hasRoom && !m_points.empty()); // without curves there is nothing to name
+    QCPLayoutGrid *wanted = !hasRoom ? nullptr : isBeside ? m_beside : m_below;
+    if (legend->layout() == wanted) return;
+    if (legend->layout()) legend->layout()->take(legend);
+    if (wanted) wanted->addElement(isBeside ? 0 : 1, 0, legend);
+    m_below->simplify();
+    if (wanted == m_below) m_below->setRowStretchFactor(1, 0.001);
+}
+
+void TradeChart::wrapLegend(bool isBeside) {
     int widest = 1;
     for (QCPLayoutElement *item : legend->elements(false))
         if (item) widest = std::max(widest, item->minimumOuterSizeHint().width() + legend->columnSpacing());
     legend->setWrap(isBeside ? 1 : std::max(1, (width() - legend->margins().left()) / widest));
     legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
+}
+
+/// Whether the curves keep a height that the value axis can be read in: that of its label.
+bool TradeChart::hasRoomBelow() const {
+    constexpr int kLinesBelowAxis = 3; // of text: the cost's numbers and label
+    const int taken = m_title->minimumSize().height() + legend->minimumOuterSizeHint().height() +
+                      kLinesBelowAxis * fontMetrics().height();
+    return height() - taken >= QFontMetrics(yAxis->labelFont()).horizontalAdvance(yAxis->label());
 }
 
 void TradeChart::wrapTitle() {
@@ -115,7 +129,6 @@ void TradeChart::resizeEvent(QResizeEvent *event) {
 void TradeChart::show(const ChartDescription &chart, const TradeResult &result) {
     m_description = chart;
     m_points = result.points;
-    legend->setVisible(true); // hidden before, when there are no curves
     m_title->setText(chart.title);
     xAxis->setLabel(chart.costLabel);
     yAxis->setLabel(chart.errorLabel);

@@ -36,6 +36,8 @@ protected:
 private:
     void arrange();
     void wrapTitle();
+    void wrapLegend(bool isBeside);
+    bool hasRoomBelow() const;
     void addFront();
     void addCurves();
     void showBand();
