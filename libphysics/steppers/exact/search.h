@@ -137,26 +137,32 @@ public:
     }
 
     /// Whether the ball certainly doesn't come to the plane.
-    bool isFar(double until) const { return firstFall(m_gap, m_rate, m_phase.leastAcceleration(m_normal)) > until; }
+    bool isFar(double until) const {
+        return firstFall(m_gap, m_rate, m_phase.leastAcceleration(m_normal, m_rate)) > until;
+    }
 
     /// When it comes there, by Newton's method with the curvature: at the first zero at which the distance falls, as
-    /// the phase turns once. kNever if another feature of the box is nearer then, or the method fails.
+    /// the phase turns once. Each step begins at a number of few digits, so that the path of the search leaves no trace
+    /// in the last ones. kNever if another feature of the box is nearer then, or the method fails.
     double run(double until) const {
         double t = firstFall(m_gap, m_rate, glm::dot(m_normal, m_phase.accelerationAt(m_around.motion.velocity)));
-        for (int i = 0; i < 4 && t > 0.0 && t < until; ++i) {
+        bool wasNear = false;
+        for (int i = 0; i < 5 && t > 0.0 && t < until; ++i) {
             Vec3 normal;
-            const double step = stepFrom(t, normal);
-            t += step;
+            const double start = fewDigits(t);
+            t = start + stepFrom(start, normal);
             if (normal != m_normal) return kNever;
-            if (std::abs(step) <= 0x1p-19 * t) return t < until ? t : kNever;
+            const bool isNear = std::abs(t - start) <= 0x1p-19 * t; // the method is of third order
+            if (isNear && (wasNear || fewDigits(t) == start)) return t < until ? t : kNever;
+            wasNear = isNear;
         }
         return kNever; // of a NaN, too
     }
 
-    /// The zero near t, if it is at a face, from a start of few digits: like phys::settled, with the curvature.
+    /// The zero near t, if it is at a face: like phys::settled, with the curvature.
     double settled(double t) const {
         Vec3 normal;
-        const double start = static_cast<double>(static_cast<float>(t)), s = start + stepFrom(start, normal);
+        const double start = fewDigits(t), s = start + stepFrom(start, normal);
         return isFace(normal) && std::abs(s - t) <= 0x1p-40 * t ? s : t;
     }
 
@@ -197,9 +203,10 @@ double touchTime(const Outlook &around, const phys_box &box, const Phase &phase,
             const PlaneSearch plane(target, around, phase);
             const bool isAhead = plane.isAhead();
             if (isAhead && plane.isFar(until)) return kNever;
-            double t = isAhead ? plane.run(until) : kNever;
-            if (t == kNever || t < from) t = anyTouchTime(target, around, phase, from, until);
-            return t == kNever ? t : plane.settled(t);
+            const double t = isAhead ? plane.run(until) : kNever;
+            if (t != kNever && t >= from) return t;
+            const double found = anyTouchTime(target, around, phase, from, until);
+            return found == kNever ? found : plane.settled(found);
         }
     }
     return anyTouchTime(target, around, phase, from, until);

@@ -78,18 +78,16 @@ Place Resisted::placeAt(double t) const {
 }
 
 double Resisted::least(const Vec3 &n, double rate, double t, double until) const {
-    const double free = glm::dot(m_A, n);
     if (m_slips) {
-        const double least = free - 2.0 / 7.0 * m_B * mostSlipAlong(onFace(n));
+        const double least = glm::dot(m_A, n) - 2.0 / 7.0 * m_B * mostSlipAlong(onFace(n));
         const bool lasts = 32.0 * rate < -least * (until - t) && leaves(n, t, until);
         return lasts ? 0.0 : least;
     }
-    // n.v changes its sign at most once (model.md 3.5), and resistance to a motion against n acts along n: while
-    // rate <= 0 it only slows the fall, and with rate >= 0 and free >= 0 the ball never moves against n.
-    if (rate <= 0.0 || free >= 0.0) return free;
-    // Nor does it if the end lies ahead along n, which is tested only where the bound would lead to tiny steps.
-    const bool lasts = 32.0 * rate < (m_B - free) * (until - t) && glm::dot(n, at(until).way - at(t).way) >= 0.0;
-    return lasts ? 0.0 : free - m_B;
+    const double least = leastAcceleration(n, rate);
+    if (rate <= 0.0 || least >= 0.0) return least;
+    // Nor does it move against n if the end lies ahead along n: tested only where the bound would lead to tiny steps.
+    const bool lasts = 32.0 * rate < -least * (until - t) && glm::dot(n, at(until).way - at(t).way) >= 0.0;
+    return lasts ? 0.0 : least;
 }
 
 /// Whether a slipping ball moves along n throughout: the rolling velocity that it approaches does, and the slip's

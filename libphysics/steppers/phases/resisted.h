@@ -27,9 +27,15 @@ public:
     double horizon() const { return kNever; }
     /// Whether the velocity along any direction changes its sign at most once: model.md 3.5.
     bool turnsOnce() const { return !m_slips; }
-    /// Of a rolling ball, with this velocity, and at least along n.
+    /// Of a rolling ball with this velocity.
     Vec3 accelerationAt(const Vec3 &velocity) const { return m_A - m_B / glm::length(velocity) * velocity; }
-    double leastAcceleration(const Vec3 &n) const { return glm::dot(n, m_A) - m_B; }
+    /// At least that along n, from a moment on at which it moves there at this rate. It changes its sign at most once
+    /// (model.md 3.5), and resistance to a motion against n acts along n: while rate <= 0 it only slows the fall, and
+    /// with rate >= 0 and A.n >= 0 the ball never moves against n.
+    double leastAcceleration(const Vec3 &n, double rate) const {
+        const double free = glm::dot(m_A, n);
+        return rate <= 0.0 || free >= 0.0 ? free : free - m_B;
+    }
     End end() const { return {m_law.stopTime(), m_slips ? Cause::grip : Cause::stop, 0}; }
     Losses losses(double t) const;
 

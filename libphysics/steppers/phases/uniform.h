@@ -17,13 +17,13 @@ struct Uniform {
         return {now.way, now.velocity, spinAt(t), t * (spin + 0.5 * t * spinAcceleration)};
     }
     Vec3 spinAt(double t) const { return spin + t * spinAcceleration; }
-    double least(const Vec3 &n, double, double, double) const { return glm::dot(n, acceleration); }
+    double least(const Vec3 &n, double rate, double, double) const { return leastAcceleration(n, rate); }
     double mostAcceleration() const { return glm::length(acceleration); }
     double horizon() const { return kNever; }
     /// Whether the velocity along any direction changes its sign at most once.
     bool turnsOnce() const { return true; }
     Vec3 accelerationAt(const Vec3 &) const { return acceleration; }
-    double leastAcceleration(const Vec3 &n) const { return glm::dot(n, acceleration); }
+    double leastAcceleration(const Vec3 &n, double) const { return glm::dot(n, acceleration); }
 };
 
 } // namespace phys

@@ -18,11 +18,13 @@ struct Look {
 /// A search that takes more evaluations is at a zero that it can't distinguish from rounding.
 inline constexpr int kMostLooks = 2000;
 
+inline double fewDigits(double t) { return static_cast<double>(static_cast<float>(t)); }
+
 /// The zero, recomputed from a start of few digits, so that the path of the search leaves no trace in the last digits:
 /// boards that are cut into other boxes give the same bits.
 template<class Function>
 double settled(const Function &look, double t, double until) {
-    double s = static_cast<double>(static_cast<float>(t));
+    double s = fewDigits(t);
     for (int i = 0; i < 2; ++i) {
         const Look now = look(s);
         if (!(now.rate < 0.0)) return t;
