@@ -71,22 +71,30 @@ inline double reciprocalTerm(const Jet &f, const Jet &inverse, int k) {
     return -sum / f[0];
 }
 
-/// Term k of the length of a vector with terms v[0], v[1], ..., and of its direction, whose term 0 is unchanged.
+/// Term k of the length of a vector with terms v[0], v[1], ...
 template<class V>
-void addDirectionTerm(const V *v, int k, Jet &length, JetOf<V> &direction) {
-    if (k == 0) {
-        length[0] = glm::length(v[0]);
-        return;
-    }
+double lengthTerm(const V *v, const Jet &length, int k) {
+    if (k == 0) return glm::length(v[0]);
     // Twice the product of the length's first term and term k: v.v minus the known terms, in which pairs occur twice.
     double twice = glm::dot(v[0], v[k]);
     for (int j = 1; 2 * j < k; ++j) twice += glm::dot(v[j], v[k - j]) - length[j] * length[k - j];
     twice *= 2.0;
     if (k % 2 == 0) twice += glm::dot(v[k / 2], v[k / 2]) - length[k / 2] * length[k / 2];
-    length[k] = 0.5 * twice / length[0];
-    V rest = v[k];
-    for (int j = 1; j <= k; ++j) rest -= length[j] * direction[k - j];
-    direction[k] = rest / length[0];
+    return 0.5 * twice / length[0];
+}
+
+/// Term k of quotient = v/f, if the ones below are known.
+template<class V>
+V quotientTerm(V rest, const Jet &f, const JetOf<V> &quotient, int k) {
+    for (int j = 1; j <= k; ++j) rest -= f[j] * quotient[k - j];
+    return rest / f[0];
+}
+
+/// Term k of the length of a vector with terms v[0], v[1], ..., and of its direction, whose term 0 is unchanged.
+template<class V>
+void addDirectionTerm(const V *v, int k, Jet &length, JetOf<V> &direction) {
+    length[k] = lengthTerm(v, length, k);
+    if (k > 0) direction[k] = quotientTerm(v[k], length, direction, k);
 }
 
 /// First s in [0, end] at which a polynomial falls through zero; kNever if there is none.

@@ -21,12 +21,13 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
     , m_g(moment.gravity[m_along]) {
     const double B = m_limitOfFriction;
     m_u[0] = {rough.slip[faces.smoothAxis], rough.slip[m_along]};
-    m_d[0] = {rough.direction[faces.smoothAxis], rough.direction[m_along]};
     m_time[0] = 0.0;
     m_way[0] = Vec2(0.0);
     m_reach.unit = 1.0 / (3.5 * B + std::abs(m_g));
+    const double side = smooth.force[faces.smoothAxis] > 0.0 ? B : -B;
     for (int k = 0; k <= kOrder; ++k) {
-        addDirectionTerm(m_u.c.data(), k, m_speed, m_d);
+        m_speed[k] = lengthTerm(m_u.c.data(), m_speed, k);
+        m_pressure[k] = quotientTerm(side * m_u[k].x, m_speed, m_pressure, k); // but for gravity's part
         if (k == kOrder) break;
         const double share = unit() / (k + 1);
         m_u[k + 1] = share * (Vec2(0.0, m_g * m_speed[k]) - B * Vec2(2.5, 3.5) * m_u[k]);
@@ -41,15 +42,15 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
                               validUntil(m_time, kOrder, time), validUntil(m_way, kOrder, fast * time)}));
     m_horizon = m_time.at(m_reach.length);
     m_rolling = moment.velocity[m_along] - 2.0 / 7.0 * m_u[0].y;
-    m_start = m_g - B * m_d[0].y;
+    m_start = m_g - B * rough.direction[m_along];
     m_limit = m_g - std::clamp(m_g, -B, B);
-    const double side = smooth.force[faces.smoothAxis] > 0.0 ? B : -B;
-    for (int k = 0; k <= kOrder; ++k) m_pressure[k] = side * m_d[k].x;
     m_pressure[0] = smooth.pressure;
 }
 
 /// xi in units.
-double Slide::xiAt(double t) const { return placeOf(m_time, m_speed, unit(), t, m_reach.length); }
+double Slide::xiAt(double t) const {
+    return t == m_horizon ? m_reach.length : placeOf(m_time, m_speed, unit(), t, m_reach.length);
+}
 
 Way Slide::at(double t) const { return wayAt(t, xiAt(t)); }
 

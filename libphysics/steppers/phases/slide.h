@@ -38,7 +38,7 @@ private:
     double m_limitOfFriction; ///< mu N, m/s^2
     double m_rolling, m_g;    ///< along both faces: the velocity minus 2/7 of the slip; gravity
     double m_start, m_limit;  ///< m/s^2: acceleration along both faces at the start, and its limit
-    JetOf<Vec2> m_u, m_d;     ///< slip and its direction: components across the smooth face and along both
+    JetOf<Vec2> m_u;          ///< slip: components across the smooth face and along both
     Jet m_speed, m_pressure;  ///< of the slip; on the smooth face
     Jet m_time;               ///< s
     JetOf<Vec2> m_way;        ///< m: integral of the slip over the time
