@@ -6,10 +6,8 @@
 
 #include <physics/physics.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <span>
 
 namespace support {
 
@@ -18,7 +16,7 @@ inline QByteArray digits(double value) { return QByteArray::number(value, 'g', 1
 /// The same bytes: 0 isn't -0, and a NaN equals itself.
 template<class T>
 bool sameBits(const T &a, const T &b) {
-    return std::ranges::equal(std::as_bytes(std::span(&a, 1)), std::as_bytes(std::span(&b, 1)));
+    return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
 } // namespace support
