@@ -8,15 +8,14 @@ DiscFlood::DiscFlood(const MazeText &maze, Nanometres radius, Nanometres step)
     , m_step(step)
     , m_columns((m_bounds.max[0] - m_bounds.min[0]) / step + 1)
     , m_rows((m_bounds.max[1] - m_bounds.min[1]) / step + 1)
-    , m_blocked(static_cast<std::size_t>(m_columns * m_rows))
-    , m_reached(m_blocked.size()) {
+    , m_places(static_cast<std::size_t>(m_columns * m_rows)) {
     for (const TextBox &box : maze.boxes)
         if (box.isWall()) block(box, radius);
     spreadFrom(indexOf((maze.start[0] - m_bounds.min[0]) / step, (maze.start[1] - m_bounds.min[1]) / step));
 }
 
 bool DiscFlood::reaches(Nanometres x, Nanometres y) const {
-    return m_reached[indexOf((x - m_bounds.min[0]) / m_step, (y - m_bounds.min[1]) / m_step)];
+    return m_places[indexOf((x - m_bounds.min[0]) / m_step, (y - m_bounds.min[1]) / m_step)] == Place::Reached;
 }
 
 int DiscFlood::waysOut() const {
@@ -24,7 +23,7 @@ int DiscFlood::waysOut() const {
     int ways = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const std::size_t previous = places[(i + places.size() - 1) % places.size()];
-        if (m_reached[places[i]] && !m_reached[previous]) ++ways;
+        if (m_places[places[i]] == Place::Reached && m_places[previous] != Place::Reached) ++ways;
     }
     return ways;
 }
@@ -48,17 +47,19 @@ void DiscFlood::block(const TextBox &wall, Nanometres radius) {
             const Nanometres dx = x - std::clamp(x, wall.min[0], wall.max[0]);
             const Nanometres dy = y - std::clamp(y, wall.min[1], wall.max[1]);
             const Nanometres square = dx * dx + dy * dy;
-            if (square == 0 || square < radius * radius) m_blocked[indexOf(column, row)] = true;
+            if (square == 0 || square < radius * radius) m_places[indexOf(column, row)] = Place::Blocked;
         }
     }
 }
 
 void DiscFlood::spreadFrom(std::size_t start) {
     const auto columns = static_cast<std::size_t>(m_columns);
+    const std::size_t count = m_places.size();
+    Place *const places = m_places.data(); // millions of them are visited
     std::vector<std::size_t> open;
     const auto visit = [&](std::size_t place) {
-        if (m_blocked[place] || m_reached[place]) return;
-        m_reached[place] = true;
+        if (places[place] != Place::Open) return;
+        places[place] = Place::Reached;
         open.push_back(place);
     };
     visit(start);
@@ -68,7 +69,7 @@ void DiscFlood::spreadFrom(std::size_t start) {
         if (here % columns > 0) visit(here - 1);
         if (here % columns + 1 < columns) visit(here + 1);
         if (here >= columns) visit(here - columns);
-        if (here + columns < m_reached.size()) visit(here + columns);
+        if (here + columns < count) visit(here + columns);
     }
 }
 

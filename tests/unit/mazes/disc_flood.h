@@ -20,6 +20,8 @@ public:
     int waysOut() const;
 
 private:
+    enum class Place : unsigned char { Open, Blocked, Reached };
+
     std::size_t indexOf(Nanometres column, Nanometres row) const;
     void block(const TextBox &wall, Nanometres radius);
     void spreadFrom(std::size_t start);
@@ -29,6 +31,5 @@ private:
     Nanometres m_step;
     Nanometres m_columns;
     Nanometres m_rows;
-    std::vector<bool> m_blocked;
-    std::vector<bool> m_reached;
+    std::vector<Place> m_places;
 };
