@@ -9,7 +9,7 @@ namespace inspector::ui {
 
 namespace {
 constexpr double kHeight = 9.0; ///< pixels
-constexpr double kReach = 6.0;
+constexpr double kTickReach = 6.0;
 } // namespace
 
 BounceTicks::BounceTicks(QCustomPlot *plot)
@@ -37,11 +37,11 @@ void BounceTicks::setColours(const QColor &tick, const QColor &selected) {
 std::optional<double> BounceTicks::timeAt(const QPointF &pixel) const {
     const QCPAxis *axis = parentPlot()->xAxis;
     const double height = parentPlot()->axisRect()->rect().bottom() - pixel.y();
-    if (height < -kReach || height > kHeight + kReach) return std::nullopt;
+    if (height < -kTickReach || height > kHeight + kTickReach) return std::nullopt;
     const auto distance = [&](double time) { return std::abs(axis->coordToPixel(time) - pixel.x()); };
     const auto isNearer = [&](double a, double b) { return distance(a) < distance(b); };
     const auto nearest = std::min_element(m_times.begin(), m_times.end(), isNearer);
-    if (nearest == m_times.end() || *nearest < m_from || *nearest > m_to || distance(*nearest) > kReach) return {};
+    if (nearest == m_times.end() || *nearest < m_from || *nearest > m_to || distance(*nearest) > kTickReach) return {};
     return *nearest;
 }
 

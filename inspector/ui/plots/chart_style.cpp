@@ -53,11 +53,11 @@ QCPLayoutGrid *putLegendAbove(QCustomPlot &chart, int left) {
 namespace {
 
 constexpr int kMostTicks = 5;
-constexpr int kLinesBesideAxis = 4; ///< of text, above and below a value axis
-constexpr int kMostDecimals = 9;    ///< of a tick's label
-constexpr double kRounding = 1e-9;  ///< share of a tick's value
+constexpr int kLinesBesideAxis = 4;    ///< of text, above and below a value axis
+constexpr int kMostDecimals = 9;       ///< of a tick's label
+constexpr double kTickRounding = 1e-9; ///< share of a tick's value
 constexpr double kLinearDecades = 0.5;
-constexpr double kDecades = 1.6; ///< from which on QCPAxisTickerLog has ticks at powers of ten
+constexpr double kTickDecades = 1.6; ///< from which on QCPAxisTickerLog has ticks at powers of ten
 
 std::vector<int> entryWidths(const QCPLegend &legend) {
     std::vector<int> widths;
@@ -102,14 +102,14 @@ void fitChart(QCustomPlot &chart) {
 QString LogTicker::getTickLabel(double tick, const QLocale &locale, QChar format, int) {
     int decimals = 0;
     while (decimals < kMostDecimals &&
-           std::abs(QString::number(tick, 'e', decimals).toDouble() / tick - 1.0) > kRounding)
+           std::abs(QString::number(tick, 'e', decimals).toDouble() / tick - 1.0) > kTickRounding)
         ++decimals;
     return QCPAxisTickerLog::getTickLabel(tick, locale, format, decimals);
 }
 
 QVector<double> LogTicker::createTickVector(double step, const QCPRange &range) {
     const double decades = std::log10(range.upper / range.lower);
-    if (!(decades > kLinearDecades && decades < kDecades)) return QCPAxisTickerLog::createTickVector(step, range);
+    if (!(decades > kLinearDecades && decades < kTickDecades)) return QCPAxisTickerLog::createTickVector(step, range);
     QVector<double> ticks;
     const int lowest = static_cast<int>(std::floor(std::log10(range.lower)));
     const int highest = static_cast<int>(std::floor(std::log10(range.upper)));

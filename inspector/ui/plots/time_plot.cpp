@@ -16,7 +16,7 @@ namespace {
 constexpr double kSmallestSpan = 1e-9; ///< smallest span of values
 constexpr double kLargestSpan = 1e9;
 constexpr int kLeftMargin = 74; ///< pixels, so that stacked plots are aligned
-constexpr float kOldAlpha = 0.35F;
+constexpr float kOldCurveAlpha = 0.35F;
 constexpr double kLeastStretch = 1e-3; ///< of a row: as high as it needs to be
 
 /// Limits the range, keeping its middle. A logarithmic axis is limited by its values.
@@ -180,7 +180,7 @@ void TimePlot::takeColours() {
         curve.graph->setPen(QPen(colour, 1.5, curve.style));
         curve.dot->setPen(QPen(base, 1.0));
         curve.dot->setBrush(colour);
-        colour.setAlphaF(kOldAlpha);
+        colour.setAlphaF(kOldCurveAlpha);
         if (curve.old) curve.old->setPen(QPen(colour, 1.5, curve.style));
     }
     for (const Key &key : m_keys) key.graph->setPen(QPen(accents.*key.colour, 3.0));

@@ -48,7 +48,7 @@ constexpr int kPerDecade = 20;
 constexpr int kFinestTolerance = -6 * kPerDecade;
 constexpr int kCoarsestTolerance = 2 * kPerDecade;
 constexpr int kChartPeriod = 200; ///< ms
-constexpr int kNarrow = 560;      ///< logical pixels
+constexpr int kNarrowTrade = 560; ///< logical pixels
 
 template<typename Widget>
 Widget *named(Widget *widget, const char *name) {
@@ -96,7 +96,7 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     makeControls();
     leaveKeysToTheGame();
     makeTable();
-    auto *halves = new TurningSplitter(kNarrow, {400, 600}, {400, 600}); // per mille
+    auto *halves = new TurningSplitter(kNarrowTrade, {400, 600}, {400, 600}); // per mille
     halves->addWidget(m_chart);
     halves->addWidget(makeAnswers());
     auto *layout = new QVBoxLayout(this);
@@ -235,7 +235,7 @@ QWidget *TradeDock::makeUnknowns() {
 /// The table and, below it, what to use; the chart beside them has the whole height.
 QWidget *TradeDock::makeAnswers() {
     auto *answers = new QWidget;
-    answers->setMinimumWidth(280); // beside the chart less than kNarrow, else the splitter would never turn
+    answers->setMinimumWidth(280); // beside the chart less than kNarrowTrade, else the splitter would never turn
     auto *grid = new QGridLayout(answers);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);

@@ -59,8 +59,8 @@ namespace inspector::ui {
 namespace {
 
 constexpr int kRefreshPeriod = 33; ///< ms
-constexpr QSize kUsualSize(1280, 800);
-constexpr double kScreenShare = 0.75; ///< share of a larger screen
+constexpr QSize kUsualWindowSize(1280, 800);
+constexpr double kWindowShare = 0.75; ///< share of a larger screen
 constexpr double kTradeShare = 0.56;  ///< share of the window's height, when the dock is shown
 constexpr int kRestHeight = 390;      ///< logical pixels of the window's height, at least, for view and bars
 constexpr int kLeastHeight = 100;     ///< of a dock that is opened at the side
@@ -546,7 +546,7 @@ bool MainWindow::grabTo(const QString &path, QString *error) {
 void MainWindow::restoreLook() {
     const QSettings &settings = m_session.settings();
     const QSize available = roomFor(*this);
-    resize(kUsualSize.expandedTo(available * kScreenShare).boundedTo(available));
+    resize(kUsualWindowSize.expandedTo(available * kWindowShare).boundedTo(available));
     arrangeDocks();
     m_firstLayout = saveState(kLayoutVersion);
     restoreGeometry(storedBytes(settings, settings_keys::kGeometry));

@@ -65,7 +65,7 @@ public:
 };
 
 // A floor of 0.1 m between four walls.
-Scene room() {
+Scene bareRoom() {
     const phys_box boxes[] = {{{-0.05, -0.05, -0.01}, {0.05, 0.05, 0.0}},
                               {{-0.06, -0.05, -0.01}, {-0.05, 0.05, 0.02}},
                               {{0.05, -0.05, -0.01}, {0.06, 0.05, 0.02}},
@@ -104,7 +104,7 @@ void TestGhostEngine::sameStepperStaysOnTheBall_data() { support::addStepperAndM
 void TestGhostEngine::sameStepperStaysOnTheBall() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
-    Engine ball = ballOf(room(), stepper);
+    Engine ball = ballOf(bareRoom(), stepper);
     phys_state state = ball.state();
     state.velocity = {0.7, 0.4, 0.0};
     ball.setState(state);

@@ -48,7 +48,7 @@ private:
 
 namespace {
 
-Options optionsOf(int level) {
+Options optionsFor(int level) {
     Options options;
     options.registry = makeRegistry(nullptr);
     options.levels = levelsIn(LEVELS_FOLDER);
@@ -63,14 +63,14 @@ void TestSession::init() {
     m_folder = std::make_unique<QTemporaryDir>();
     m_settings = std::make_unique<QSettings>(m_folder->filePath("settings.ini"), settingsFormat());
     QString error;
-    m_session = Session::open(optionsOf(1), *m_settings, &error);
+    m_session = Session::open(optionsFor(1), *m_settings, &error);
     QVERIFY2(m_session, qPrintable(error));
 }
 
 void TestSession::cleanup() { m_session.reset(); }
 
 void TestSession::opensWhatTheOptionsAskFor() {
-    Options options = optionsOf(3);
+    Options options = optionsFor(3);
     options.stepper = "rk4";
     options.dt = 0.005;
     options.speed = 2.0;
@@ -88,7 +88,7 @@ void TestSession::opensWhatTheOptionsAskFor() {
 }
 
 void TestSession::missingLevelGivesOneLineAndNoSession() {
-    Options options = optionsOf(1);
+    Options options = optionsFor(1);
     options.level = levelOfFile("nowhere/none.txt");
     QString error;
     QVERIFY(!Session::open(options, *m_settings, &error));
@@ -255,7 +255,7 @@ void TestSession::levelBesideTheListKeepsTheGamesPlace() {
 }
 
 void TestSession::pluginsAreLoadedAsTheOptionsSay() {
-    Options options = optionsOf(1);
+    Options options = optionsFor(1);
     options.pluginLoader = [](const Registry &, const QString &path, QString *error) {
         *error = path + " is refused";
         return false;
