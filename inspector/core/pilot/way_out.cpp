@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <queue>
-#include <utility>
 
 namespace inspector {
 
@@ -33,6 +32,17 @@ constexpr std::array<Neighbour, 8> kNeighbours{{{-1, 0, 1.0},
                                                 {-1, 1, kDiagonal},
                                                 {1, 1, kDiagonal}}};
 
+/// A cell that is to be gone on from, at what its way out costs. Ties are broken by cell index, so that the path is the
+/// same on every machine.
+struct Entry {
+    double cost;
+    Cell cell;
+
+    friend bool operator>(const Entry &a, const Entry &b) {
+        return a.cost > b.cost || (a.cost == b.cost && a.cell > b.cell);
+    }
+};
+
 } // namespace
 
 WayOut::WayOut(const FreeSpace &space)
@@ -41,40 +51,54 @@ WayOut::WayOut(const FreeSpace &space)
     search();
 }
 
-double WayOut::price(Cell cell) const {
-    const double room = std::min(1.0, m_space.clearance(cell) / (kComfortableClearance * m_space.radius()));
-    return 1.0 + (kWallPrice - 1.0) * (1.0 - room) * (1.0 - room);
+/// For each cell; 0 where the ball can't be.
+std::vector<double> WayOut::prices() const {
+    std::vector<double> prices(size_t(m_space.cellCount()));
+    for (Cell cell = 0; cell < m_space.cellCount(); ++cell) {
+        if (!m_space.isFree(cell)) continue;
+        const double room = std::min(1.0, m_space.clearance(cell) / (kComfortableClearance * m_space.radius()));
+        prices[size_t(cell)] = 1.0 + (kWallPrice - 1.0) * (1.0 - room) * (1.0 - room);
+    }
+    return prices;
 }
 
-/// Dijkstra's algorithm, started from all free cells outside of the maze. Ties are broken by cell index, so that the
-/// path is the same on every machine.
+template<typename Visit>
+void WayOut::visitNeighbours(Cell cell, const Visit &visit) const {
+    const int column = cell % m_space.columns();
+    const int row = cell / m_space.columns();
+    for (const Neighbour &step : kNeighbours) {
+        const int c = column + step.column;
+        const int r = row + step.row;
+        if (c < 0 || r < 0 || c >= m_space.columns() || r >= m_space.rows()) continue;
+        visit(r * m_space.columns() + c, step.distance);
+    }
+}
+
+/// Dijkstra's algorithm, started from those free cells outside of the maze that border on others.
 void WayOut::search() {
-    using Entry = std::pair<double, Cell>;
+    const std::vector<double> prices = this->prices();
+    std::vector<double> costs(prices.size(), std::numeric_limits<double>::infinity());
+    for (Cell cell = 0; cell < m_space.cellCount(); ++cell)
+        if (prices[size_t(cell)] == 0.0 || m_space.isOutside(cell)) costs[size_t(cell)] = 0.0; // none is improved
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    std::vector<double> costs(size_t(m_space.cellCount()), std::numeric_limits<double>::infinity());
     for (Cell cell = 0; cell < m_space.cellCount(); ++cell) {
-        if (!m_space.isFree(cell) || !m_space.isOutside(cell)) continue;
-        costs[size_t(cell)] = 0.0;
-        open.emplace(0.0, cell);
+        if (prices[size_t(cell)] == 0.0 || costs[size_t(cell)] > 0.0) continue;
+        bool isBorder = false;
+        visitNeighbours(cell, [&](Cell other, double) { isBorder = isBorder || costs[size_t(other)] > 0.0; });
+        if (isBorder) open.push({0.0, cell});
     }
     while (!open.empty()) {
         const auto [cost, cell] = open.top();
         open.pop();
         if (cost > costs[size_t(cell)]) continue;
-        const int column = cell % m_space.columns();
-        const int row = cell / m_space.columns();
-        for (const Neighbour &step : kNeighbours) {
-            const int c = column + step.column;
-            const int r = row + step.row;
-            if (c < 0 || r < 0 || c >= m_space.columns() || r >= m_space.rows()) continue;
-            const Cell other = r * m_space.columns() + c;
-            if (!m_space.isFree(other)) continue;
-            const double through = cost + step.distance * 0.5 * (price(cell) + price(other));
-            if (through >= costs[size_t(other)]) continue;
+        visitNeighbours(cell, [&, cost = cost, cell = cell](Cell other, double distance) {
+            if (costs[size_t(other)] <= cost) return;
+            const double through = cost + distance * 0.5 * (prices[size_t(cell)] + prices[size_t(other)]);
+            if (through >= costs[size_t(other)]) return;
             costs[size_t(other)] = through;
             m_next[size_t(other)] = cell;
-            open.emplace(through, other);
-        }
+            open.push({through, other});
+        });
     }
 }
 

@@ -19,7 +19,10 @@ public:
 
 private:
     void search();
-    double price(FreeSpace::Cell cell) const;
+    /// visit(FreeSpace::Cell, its distance in cells)
+    template<typename Visit>
+    void visitNeighbours(FreeSpace::Cell cell, const Visit &visit) const;
+    std::vector<double> prices() const;
 
     const FreeSpace &m_space;
     std::vector<FreeSpace::Cell> m_next;
