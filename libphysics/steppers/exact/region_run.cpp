@@ -352,17 +352,21 @@ private:
 
 bool runInRegion(FloorRegions &regions, MovingBall &ball, ContactEvents &events) {
     if (ball.motion.velocity.z != 0.0 || !(ball.params().gravity.z < 0.0) || ball.runsAllStages()) return false;
-    const FloorRegion *tried = nullptr; // at the present position
+    bool isSecond = false; // at the present position
+    Vec2 tried(0.0);
     while (ball.left > 0.0) {
         if (ball.work.isTooMuch()) return false;
         const Vec2 velocity = inPlane(ball.motion.velocity);
         const phys_vec3 place = fromVec(ball.position);
         // The last region may end near the ball; that of its own grid cell extends further.
-        const FloorRegion *region = tried ? regions.find(place, velocity) : regions.around(place, velocity);
-        if (!region || region == tried) return false;
+        const FloorRegion *region =
+            isSecond ? regions.find(place, velocity, ball.left) : regions.around(place, velocity, ball.left);
+        if (!region || (isSecond && region->foundAt == tried)) return false;
         const double left = ball.left;
+        tried = region->foundAt;
         RegionRun(*region, ball, events).advance();
-        tried = ball.left < left ? nullptr : region;
+        if (ball.left == left && isSecond) return false;
+        isSecond = ball.left == left;
     }
     return true;
 }

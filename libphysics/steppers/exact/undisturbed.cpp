@@ -95,13 +95,13 @@ bool moveOnFloor(FloorRegions &regions, const Scene &scene, const phys_params &p
     Plane ball{inPlane(in.position), inPlane(in.velocity)};
     if (!pull.goesOn(ball.velocity, spin)) return false;
     if (spin.z == 0.0 && std::signbit(spin.z)) return false; // the loop's sums may change its sign
-    // The last region may end near the ball; that of its own grid cell extends further.
-    const FloorRegion *last = nullptr, *region = regions.around(in.position, inPlane(in.velocity));
-    while (region && !move(*region, pull, dt, spin, ball)) {
-        if (last) return false;
-        last = region;
-        region = regions.find(in.position, inPlane(in.velocity));
-        if (region == last) return false;
+    const FloorRegion *region = regions.around(in.position, inPlane(in.velocity), dt);
+    for (bool isSecond = false; region && !move(*region, pull, dt, spin, ball); isSecond = true) {
+        if (isSecond) return false;
+        // The last region may end near the ball; that of its own grid cell extends further.
+        const Vec2 tried = region->foundAt;
+        region = regions.find(in.position, inPlane(in.velocity), dt);
+        if (region && region->foundAt == tried) return false;
     }
     if (!region) return false;
     const double height = scene.boxes[region->floor].max.z + scene.radius;

@@ -16,13 +16,16 @@ constexpr uint32_t kMostFloors = 8; ///< capacity of a FloorView
 /// A region while it is being reduced.
 class Cutting {
 public:
-    Cutting(const Scene &scene, FloorRegions::Beside beside, const Vec3 &place)
+    /// way: for which it should extend far, m.
+    Cutting(const Scene &scene, FloorRegions::Beside beside, const Vec3 &place, const Vec2 &way)
         : m_scene(scene)
         , m_beside(beside)
         , m_place(place)
+        , m_way(way)
         , m_margin(4.0 * scene.tolerance)
         , m_clear(scene.radius + m_margin) {
         m_region.z = place.z;
+        m_region.foundAt = inPlane(place);
     }
 
     /// cell: of the position in the scene's grid.
@@ -133,21 +136,27 @@ private:
         return true;
     }
 
-    /// Position of a box relative to the ball, along the axis in which it is farther away.
+    /// Position of a box relative to the ball, along an axis.
     struct Side {
         int axis;
         bool isLow;
-        double beyond; ///< m: distance beyond the required one
+        double beyond;   ///< m: distance beyond the required one
+        double approach; ///< m: part of the way that leads there
     };
 
+    Side sideAlong(int axis, const phys_box &box) const {
+        const double above = m_place[axis] - (&box.max.x)[axis] - m_clear;
+        const double below = (&box.min.x)[axis] - m_place[axis] - m_clear;
+        const bool isLow = above > below;
+        return {axis, isLow, std::max(above, below), std::max(0.0, isLow ? -m_way[axis] : m_way[axis])};
+    }
+
+    /// Along the axis in which the ball comes near it later, or in which it is farther away.
     Side sideOf(const phys_box &box) const {
-        Side side{0, false, 0.0};
-        for (int axis = 0; axis < 2; ++axis) {
-            const double above = m_place[axis] - (&box.max.x)[axis] - m_clear;
-            const double below = (&box.min.x)[axis] - m_place[axis] - m_clear;
-            if (std::max(above, below) > side.beyond) side = {axis, above > below, std::max(above, below)};
-        }
-        return side;
+        const Side x = sideAlong(0, box), y = sideAlong(1, box);
+        const double xLater = x.beyond * y.approach, yLater = y.beyond * x.approach;
+        const bool isBeyondBoth = x.beyond > 0.0 && y.beyond > 0.0;
+        return (isBeyondBoth && xLater != yLater ? xLater > yLater : x.beyond >= y.beyond) ? x : y;
     }
 
     /// Removes the positions on one side of a coordinate.
@@ -161,7 +170,7 @@ private:
 
     /// Removes the side on which the box is. False if it is too near.
     bool cutAway(const phys_box &box) {
-        const auto [axis, isLow, beyond] = sideOf(box);
+        const auto [axis, isLow, beyond, approach] = sideOf(box);
         if (!(beyond > 0.0)) return m_beside == FloorRegions::Beside::edges && cutBesideEdge(box);
         cutAt(axis, isLow, isLow ? (&box.max.x)[axis] + m_clear : (&box.min.x)[axis] - m_clear);
         return true;
@@ -236,6 +245,7 @@ private:
     const Scene &m_scene;
     FloorRegions::Beside m_beside;
     Vec3 m_place;
+    Vec2 m_way;
     double m_margin, m_clear; ///< m
     FloorRegion m_region;
     const phys_box *m_floor = nullptr;
@@ -251,13 +261,16 @@ FloorRegions::FloorRegions(const Scene &scene, Beside beside)
     , m_regions(std::make_unique<std::array<FloorRegion, kKept>>())
     , m_last(m_regions->data()) {}
 
-const FloorRegion *FloorRegions::find(const phys_vec3 &place, const Vec2 &velocity) {
+const FloorRegion *FloorRegions::find(const phys_vec3 &place, const Vec2 &velocity, double time) {
     const size_t cell = m_scene.grid.cellAt(place.x, place.y);
     if (cell == Grid::kNoCell) return nullptr;
     const bool isLeaning = velocity.x == 0.0 || velocity.y == 0.0;
+    const Vec2 whole = time * velocity;
+    const bool isShort = glm::dot(whole, whole) < 0.25 * m_scene.radius * m_scene.radius;
+    const Vec2 way = isShort ? whole : Vec2(0.0); // a longer one leads out of any region
     FloorRegion &kept = (*m_regions)[(cell + (isLeaning ? kKept / 2 : 0)) % kKept];
-    if (!kept.has(place)) {
-        const FloorRegion found = Cutting(m_scene, m_beside, toVec(place)).run(cell);
+    if (!kept.has(place) || (kept.endsOpenOn(way, place) && kept.foundAt != inPlane(place))) {
+        const FloorRegion found = Cutting(m_scene, m_beside, toVec(place), way).run(cell);
         if (!found.has(place)) return nullptr;
         kept = found;
     }

@@ -29,6 +29,10 @@ struct FloorRegion {
         bool endsOpenBefore(double place) const {
             return (place < low && lowFace == kNoFace) || (place > high && highFace == kNoFace);
         }
+        /// Whether it ends before a place, but not at a box.
+        bool endsOpen(double place) const {
+            return (place < low && lowBox == PHYS_NO_BOX) || (place > high && highBox == PHYS_NO_BOX);
+        }
         /// bend: how far the ball may be off the straight way, m.
         bool isFreeOnWay(double place, double way, double bend) const {
             return place + std::min(way, 0.0) - bend >= low && place + std::max(way, 0.0) + bend <= high;
@@ -41,10 +45,15 @@ struct FloorRegion {
 
     std::array<Range, 2> along; ///< x, y
     double z = 0.0;             ///< m: height of the centre
+    Vec2 foundAt{0.0};          ///< m: the position for which it was found
     uint32_t floor = PHYS_NO_BOX;
     bool isEven = false; ///< that height is exactly where the floor carries a ball, and no other floor is near
 
     bool has(const phys_vec3 &place) const { return place.z == z && along[0].has(place.x) && along[1].has(place.y); }
+    /// Whether a straight way leads out of it where no box bounds it.
+    bool endsOpenOn(const Vec2 &way, const phys_vec3 &place) const {
+        return along[0].endsOpen(place.x + way.x) || along[1].endsOpen(place.y + way.y);
+    }
     /// Whether a ball in the region stays in it for a time, unless it leaves a face on which it leans. acceleration:
     /// upper bound.
     bool keeps(const Vec3 &place, const Vec3 &velocity, double time, double acceleration) const {
@@ -63,14 +72,14 @@ public:
     FloorRegions(const Scene &scene, Beside beside);
 
     /// A region that contains the position, or nullptr. Of a ball that moves along an axis preferably one with a face
-    /// on which it leans.
-    const FloorRegion *around(const phys_vec3 &place, const Vec2 &velocity) {
-        return m_last->has(place) ? m_last : find(place, velocity);
+    /// on which it leans; time: for which it should stay there, if possible, s.
+    const FloorRegion *around(const phys_vec3 &place, const Vec2 &velocity, double time = 0.0) {
+        return m_last->has(place) ? m_last : find(place, velocity, time);
     }
     /// The region that was found last.
     const FloorRegion &last() const { return *m_last; }
     /// Like around, without trying the last one first.
-    const FloorRegion *find(const phys_vec3 &place, const Vec2 &velocity);
+    const FloorRegion *find(const phys_vec3 &place, const Vec2 &velocity, double time = 0.0);
 
 private:
     static constexpr uint32_t kKept = 1024; ///< a power of two
