@@ -101,8 +101,9 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
     std::array<Held, kMostHeld> held;
     std::array<uint32_t, kMostHeld> number;
     uint32_t count = 0;
+    const double negligible = negligibleSpeed({moment.velocity, moment.spin}, moment.radius);
     for (uint32_t i = 0; i < contacts.count(); ++i) {
-        if (glm::dot(moment.velocity, contacts[i].normal) > contacts[i].restSpeed) continue;
+        if (glm::dot(moment.velocity, contacts[i].normal) > std::max(contacts[i].restSpeed, negligible)) continue;
         number[count] = i;
         held[count++] = heldOf(substep, contacts[i]);
     }

@@ -36,7 +36,7 @@ struct Lanes {
     double reach;       ///< m: longest displacement in a step beside a face; negative if dt is unusual
     double restSquared; ///< m^2/s^2: a ball with a larger squared speed isn't at rest
     bool mayFall;       ///< whether it must be checked that balls stay on the floor
-    bool isRough;       ///< whether walls have friction, for some ball
+    bool looksAhead;    ///< whether some ball has to look where its new velocity leads
     double radius;      ///< m
     bool resists;       ///< whether there is rolling friction; the same for all balls
 };

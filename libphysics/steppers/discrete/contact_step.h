@@ -26,6 +26,8 @@ struct StepContext {
     double radius() const { return setting.scene.radius; }
     bool isRigid() const { return setting.isRigid(); }
     bool hasRoughWalls() const { return isRigid() && params().wall_friction > 0.0; }
+    /// Whether what presses a ball onto a floor, or lifts it, changes its motion there.
+    bool rubsOnFloor() const { return (isRigid() ? params().sliding_friction : params().rolling_friction) > 0.0; }
 };
 
 /// Below this share of gravity, or of sqrt(g R), a motion is the rounding error of a ball that stopped.

@@ -189,7 +189,8 @@ private:
         visitNear(scene, free.position, scene.radius, [&](const phys_box &box, uint32_t) {
             overlaps = overlaps || squaredDistance(box, free.position) < overlapping * overlapping;
         });
-        const bool mayLean = !free.supported || m_context.hasRoughWalls(); // as FloorRun::mayLean
+        // As FloorRun::mayLean.
+        const bool mayLean = !free.supported || m_context.hasRoughWalls() || m_context.rubsOnFloor();
         return overlaps || (mayLean && leansOnAnother({}, ball, free.velocity));
     }
 

@@ -215,12 +215,13 @@ private:
         return !mayStop || glm::dot(ahead.roll.velocity, velocity) > kZero * glm::dot(velocity, velocity);
     }
 
-    /// Whether the explicit rule, which moves with the old velocity, may lean on what only the new one leads to: on a
-    /// rough edge that the ball rounds, whose friction presses it onto the floor.
+    /// Whether the explicit rule, which moves with the old velocity, may lean on what only the new one leads to, and
+    /// which changes the pressure on the floor: a rough edge that the ball rounds, or the edge of a roof or a kerb.
     bool mayLean(const FloorView &view, const Ball &ball, const Vec2 &newVelocity) const {
         if constexpr (Scheme::kContactRule != ContactRule::Explicit) return false;
-        return m_context.hasRoughWalls() && !view.isEmpty() &&
-               !view.hasRoom(m_context, ball.position, ball.position + m_h * Vec3(newVelocity, 0.0));
+        const bool mayPress =
+            m_context.hasRoughWalls() ? !view.isEmpty() : m_context.rubsOnFloor() && view.hasSlopes(m_context, ball);
+        return mayPress && !view.hasRoom(m_context, ball.position, ball.position + m_h * Vec3(newVelocity, 0.0));
     }
 
     bool meetFaces(double start, FloorView &view, Ball &ball) const {

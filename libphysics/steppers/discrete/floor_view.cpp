@@ -41,6 +41,13 @@ bool FloorView::look(const StepContext &context, const Vec3 &start, const Vec3 &
     return m_floor && Scene::isOver(*m_floor, end.x, end.y);
 }
 
+bool FloorView::hasSlopes(const StepContext &context, const Ball &ball) const {
+    return std::any_of(m_near.begin(), m_near.begin() + m_count, [&](uint32_t number) {
+        const phys_box &box = context.scene().boxes[number];
+        return box.min.z > ball.position.z || box.max.z < ball.position.z;
+    });
+}
+
 bool FloorView::addFace(const UprightFace &face, double tolerance) {
     for (uint32_t i = 0; i < m_faceCount; ++i) {
         UprightFace &other = m_faces[i];

@@ -27,6 +27,8 @@ public:
 
     /// Whether nothing is near the path.
     bool isEmpty() const { return m_count == 0; }
+    /// Whether anything near it may touch the ball above or below its centre.
+    bool hasSlopes(const StepContext &context, const Ball &ball) const;
     /// Finds the faces that the ball touches or would overlap at the end. False if it also meets anything else.
     bool findFaces(const StepContext &context, const Vec3 &start, const Vec3 &end);
     std::span<UprightFace> faces() { return {m_faces.data(), m_faceCount}; }

@@ -79,7 +79,7 @@ uint32_t rollInLanes(Lanes &lanes) {
         const LanesOf<N> some{lanes, lane};
         const BallsInRegion<N> balls = some.load();
         moved |= StepInRegion<Scheme, kRule, kResists>::make(balls, limits, [&](const RegionStep<N> &step) {
-            if (!kLooksAhead<Scheme> || !lanes.isRough) return some.keep(balls, step);
+            if (!kLooksAhead<Scheme> || !lanes.looksAhead) return some.keep(balls, step);
             const auto isFine = all(step.isFine, isFreeAhead(balls, lanes.dt, step.velocity));
             return some.keep(balls, {step.velocity, step.displacement, isFine});
         });

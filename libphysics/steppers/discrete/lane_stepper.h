@@ -83,6 +83,11 @@ private:
         return p.z == region.z && isIn(region.along[0], p.x, v.x) && isIn(region.along[1], p.y, v.y);
     }
 
+    /// Wherever FloorRun::mayLean may.
+    static bool looksAhead(const FloorRegion &region, bool mayLean) {
+        return kLooksAhead<Scheme> && (region.hasSlopes || !mayLean);
+    }
+
     static double faceOf(double face, bool mayLean) { return mayLean ? face : FloorRegion::kNoFace; }
 
     // One ball.
@@ -114,8 +119,7 @@ private:
                                                 ? StepInRegion<Scheme, kRule, true>::make(ball, limits, asItIs)
                                                 : StepInRegion<Scheme, kRule, false>::make(ball, limits, asItIs);
             const Planar<double> end{in.position.x + step.displacement.x, in.position.y + step.displacement.y};
-            const bool leans = kLooksAhead<Scheme> && !mayLean && !isFreeAhead(ball, dt, step.velocity);
-            if (step.isFine && !leans) {
+            if (step.isFine && (!looksAhead(*region, mayLean) || isFreeAhead(ball, dt, step.velocity))) {
                 take(input, kind, end, step, out, report);
                 return true;
             }
@@ -211,7 +215,7 @@ private:
         lanes.friction[i] = kind.friction(params);
         lanes.grip[i] = kind.grip(params);
         lanes.farthest[i] = farthestOf(lanes.reach, params, kind, *region);
-        if (kLooksAhead<Scheme> && !mayLean) lanes.isRough = true;
+        if (looksAhead(*region, mayLean)) lanes.looksAhead = true;
         return true;
     }
 

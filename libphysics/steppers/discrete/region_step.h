@@ -143,11 +143,11 @@ inline bool staysAtRest(const BallsInRegion<double> &ball) {
     return dot(A, A) <= ball.drive.B * ball.drive.B && ball.drive.pull < INFINITY;
 }
 
-/// Whether the explicit rule must look where the new velocity leads, if walls are rough: FloorRun::mayLean.
+/// Whether the explicit rule may have to look where the new velocity leads: FloorRun::mayLean.
 template<class Scheme>
 inline constexpr bool kLooksAhead = Scheme::kContactRule == ContactRule::Explicit;
 
-/// Whether nothing is near there. Where walls are rough, regions have no faces.
+/// Whether nothing is near there. A ball that leans on a face is left to the general case.
 template<class N>
 MaskOf<N> isFreeAhead(const BallsInRegion<N> &balls, double h, const Planar<N> &newVelocity) {
     const InRegion<N> &x = balls.x, &y = balls.y;

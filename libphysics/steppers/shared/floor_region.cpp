@@ -70,6 +70,7 @@ private:
         if (box.min.z > m_place.z + kCandidateReach * m_scene.radius + m_margin) return true;
         if (m_count == kRoom) return false;
         m_boxes[m_count++] = &box;
+        m_region.hasSlopes = m_region.hasSlopes || !isUpright(box);
         return isTouched(box) ? leanOn(box) : cutAway(box);
     }
 

@@ -47,7 +47,8 @@ struct FloorRegion {
     double z = 0.0;             ///< m: height of the centre
     Vec2 foundAt{0.0};          ///< m: the position for which it was found
     uint32_t floor = PHYS_NO_BOX;
-    bool isEven = false; ///< that height is exactly where the floor carries a ball, and no other floor is near
+    bool isEven = false;    ///< that height is exactly where the floor carries a ball, and no other floor is near
+    bool hasSlopes = false; ///< a box near it may touch the ball above or below its centre: a roof or a kerb
 
     bool has(const phys_vec3 &place) const { return place.z == z && along[0].has(place.x) && along[1].has(place.y); }
     /// Whether a straight way leads out of it where no box bounds it.

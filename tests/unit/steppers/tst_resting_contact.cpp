@@ -50,6 +50,19 @@ Bouncing watch(Experiment &ball, int steps) {
     return seen;
 }
 
+/// Where a ball ends that rolls against resistance under the corner of a roof, which presses it onto the floor.
+phys_vec3 endUnderARoof(const QByteArray &stepper, int steps) {
+    constexpr double R = 0.01, kDuration = 0.02;
+    const phys_box floor{{-0.1, -0.1, -0.1}, {0.1, 0.1, 0.0}};
+    const phys_box roof{{R / 3.0, 2.0 * R / 3.0, 5.0 * R / 3.0}, {0.1, 0.1, 0.1}};
+    Experiment ball(SceneBuilder().ball(R).box(floor).box(roof).start({0.0, 0.0, R}), stepper);
+    ball.params.gravity = {3.6, 1.6, -9.0};
+    ball.params.rolling_friction = 0.15;
+    ball.roll(0.02, 0.02);
+    if (!ball.stepTimes(static_cast<uint64_t>(steps), kDuration / steps)) qFatal("%s", ball.error());
+    return ball.state.position;
+}
+
 constexpr double kLowHop = 0x1p-24; // m/s
 
 void addSteppersThatLocateEvents() {
@@ -105,6 +118,8 @@ private slots:
     void aDeckCarriesTheBallWithoutPressure();
     void rollsOffAHairCrack_data() { addStepperRows(); }
     void rollsOffAHairCrack();
+    void leansOnTheCornerOfARoofAsInExact_data() { addStepperRows(); }
+    void leansOnTheCornerOfARoofAsInExact();
     void stepWhoseContactsTakeTooMuchIsRefused();
     void stepThatLooksAtTooManyBoxesIsRefused();
     void hopTooLowToRiseTakesNoFriction_data() { addSteppersThatLocateEvents(); }
@@ -445,6 +460,14 @@ void TestRestingContact::rollsOffAHairCrack() {
     const double way = 0.5 * 5.0 / 7.0 * 0.0964 * 0.1 * 0.1;
     QVERIFY2(std::abs(ball.state.position.y - kStart - way) < 0.01 * way,
              qPrintable(QStringLiteral("%1 m instead of %2 m").arg(ball.state.position.y - kStart).arg(way)));
+}
+
+void TestRestingContact::leansOnTheCornerOfARoofAsInExact() {
+    QFETCH(QByteArray, stepper);
+    constexpr double kMost = 2e-6; // m
+    const phys_vec3 wanted = endUnderARoof("exact", 1), found = endUnderARoof(stepper, 4000);
+    COMPARE_WITHIN(found.x, wanted.x, kMost);
+    COMPARE_WITHIN(found.y, wanted.y, kMost);
 }
 
 void TestRestingContact::stepWhoseContactsTakeTooMuchIsRefused() {

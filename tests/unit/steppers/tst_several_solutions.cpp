@@ -93,6 +93,16 @@ Start spinningAtARoughKerbOnASmoothFloor() {
     return start;
 }
 
+Start turningUnderARoofHeldByResistance() {
+    Start start = onFloorBeside({{0.006, -0.1, 0.018}, {0.1, 0.1, 0.03}});
+    start.spin = {0.0, 0.0, -2.0};
+    start.gravity = {2.4, -3.6, -8.8};
+    start.floor = 0.95;
+    start.wall = 0.4;
+    start.rolling = 0.12;
+    return start;
+}
+
 Start slippingAtThreeInOnePlane() {
     Start start;
     start.radius = 0.006;
@@ -196,6 +206,8 @@ class TestSeveralSolutions : public QObject {
 private slots:
     void theLeastPressureIsTaken_data();
     void theLeastPressureIsTaken();
+    void aSpeedOfRoundingSizeLeavesNoContact_data() { addStepperRows(); }
+    void aSpeedOfRoundingSizeLeavesNoContact();
     void randomStartsAccelerateAsInExact_data() { addStepperRows(); }
     void randomStartsAccelerateAsInExact();
 };
@@ -231,6 +243,15 @@ void TestSeveralSolutions::theLeastPressureIsTaken() {
     const Accelerations found = accelerationsOf(stepper, cases[which].start);
     const double off = distance(found, cases[which].wanted);
     QVERIFY2(off < 0.1, qPrintable(QStringLiteral("off by %1 m/s^2").arg(off)));
+}
+
+void TestSeveralSolutions::aSpeedOfRoundingSizeLeavesNoContact() {
+    QFETCH(QByteArray, stepper);
+    Start start = turningUnderARoofHeldByResistance();
+    const Accelerations wanted = accelerationsOf(stepper, start);
+    start.velocity.x = -1e-21; // off the roof's edge, on which gravity doesn't press the ball
+    const double off = distance(accelerationsOf(stepper, start), wanted);
+    QVERIFY2(off < 1e-3, qPrintable(QStringLiteral("off by %1 m/s^2").arg(off)));
 }
 
 void TestSeveralSolutions::randomStartsAccelerateAsInExact() {
