@@ -41,10 +41,10 @@ public:
     QSize minimumOuterSizeHint() const override { return {0, m_height}; }
     QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, QWIDGETSIZE_MAX}; }
 
-    /// The width of the text and its margins in one line.
-    int lineWidth() const {
+    /// The width of a text and its margins in one line.
+    int lineWidth(const QString &text) const {
         constexpr int kRounding = 2; // pixels
-        return QFontMetrics(font()).horizontalAdvance(text()) + margins().left() + margins().right() + kRounding;
+        return QFontMetrics(font()).horizontalAdvance(text) + margins().left() + margins().right() + kRounding;
     }
     /// Asks for the height that the text has in lines of this width, margins included.
     void fitHeight(int width) {
@@ -121,12 +121,15 @@ void TimePlot::fitLabels() {
         axis->setLabelColor(isLow ? QColor(Qt::transparent) : palette().color(QPalette::Text));
 }
 
+int TimePlot::roomBesideLegend() const {
+    return std::max(0, width() - (legend->layout() ? legend->minimumOuterSizeHint().width() : 0));
+}
+
 /// Puts the read-out beside the legend if there is room for the longest so far, so that the curves don't move at each
 /// value, and otherwise below it.
 void TimePlot::placeReadOut() {
-    if (m_readOut) m_longestReadOut = std::max(m_longestReadOut, m_text->lineWidth());
-    const int room = width() - legend->minimumOuterSizeHint().width();
-    const bool isBelow = m_longestReadOut > std::max(room, 0);
+    if (m_readOut) m_longestReadOut = std::max(m_longestReadOut, m_text->lineWidth(m_text->text()));
+    const bool isBelow = m_longestReadOut > roomBesideLegend();
     m_text->fitHeight(width());
     QCPLayoutGrid *place = isBelow ? plotLayout() : m_legendLine;
     if (m_text->layout() == place) return;
@@ -380,10 +383,10 @@ std::optional<Sample> TimePlot::sampleAt(double time) const {
     return left;
 }
 
-/// Hints on how to use the plot, if there is room for them.
+/// Hints on how to use the plot, if there is room for them: after a resize, the layout has the new one only later.
 QString TimePlot::hint() const {
     const QString text = tr("Wheel: zoom · drag: move · double click: follow");
-    return fontMetrics().horizontalAdvance(text) < m_text->rect().width() ? text : QString();
+    return m_text->lineWidth(text) <= roomBesideLegend() ? text : QString();
 }
 
 void TimePlot::updateReadOut() {

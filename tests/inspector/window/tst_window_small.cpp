@@ -47,6 +47,7 @@ private slots:
     void legendIsWholeInANarrowPlot();
     void legendOfALowPlotIsWholeOrLeftOut();
     void legendLeavesASmallPlotToItsCurves();
+    void hintIsWholeInAPlotThatBecameNarrow();
     void resultNamesItsLevel();
     void resultSaysItsReasonWhole_data();
     void resultSaysItsReasonWhole();
@@ -342,6 +343,23 @@ void TestWindowSmall::legendLeavesASmallPlotToItsCurves() {
     m_fixture->window().resize(640, 376);
     QTRY_VERIFY(plot->width() < 320);
     QTRY_VERIFY2(roomOfEntry() < usual, qPrintable(QString::number(usual)));
+}
+
+// Nothing else draws a plot anew while the ball rests.
+void TestWindowSmall::hintIsWholeInAPlotThatBecameNarrow() {
+    auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
+    const auto *text = plot->findChild<QCPTextElement *>("read_out");
+    bool wasThere = false;
+    for (int width = 1240; width >= 900; width -= 20) {
+        m_fixture->window().resize(width, 800);
+        QTRY_COMPARE(m_fixture->window().width(), width);
+        QApplication::processEvents(); // which lays the docks out
+        m_fixture->window().refresh();
+        plot->replot();
+        wasThere = wasThere || !text->text().isEmpty();
+        QVERIFY2(text->text().isEmpty() || isReadOutWhole(plot), qPrintable(QString::number(width)));
+    }
+    QVERIFY(wasThere && text->text().isEmpty());
 }
 
 void TestWindowSmall::resultNamesItsLevel() {
