@@ -54,6 +54,7 @@ BallDock::BallDock(Session &session, QUndoStack &undo, QWidget *parent)
     setObjectName(QStringLiteral("ball"));
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus); // its controls have it
     auto *page = new QWidget;
     auto *grid = new QGridLayout(page);
     grid->setContentsMargins(8, 6, 8, 6);

@@ -262,7 +262,9 @@ void BounceDock::showDetail(const std::optional<LoggedEvent> &event) {
     const QString text =
         event ? (isNarrow ? paragraphs(lines) : columns(lines))
               : tr("Click a bounce in the list or in the view: when, where, how fast, and the law that it obeys.");
-    if (text != m_detail->text()) m_detail->setText(text);
+    if (text == m_detail->text()) return;
+    m_detail->setText(text);
+    m_detail->setFocusPolicy(text.contains(QLatin1String("<a ")) ? Qt::StrongFocus : Qt::ClickFocus);
 }
 
 void BounceDock::findMarks() {

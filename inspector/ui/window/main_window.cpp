@@ -13,6 +13,7 @@
 #include "ui/game/game_strip.h"
 #include "ui/game/level_panel.h"
 #include "ui/input/menu_letters.h"
+#include "ui/input/parts_in_turn.h"
 #include "ui/input/plain_texts.h"
 #include "ui/input/wheel_guard.h"
 #include "ui/parameters/parameter_panel.h"
@@ -107,20 +108,6 @@ QWidget *scrolled(QWidget *content) {
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusProxy(content);
     return area;
-}
-
-/// The control that gets the keyboard when its dock is opened. Where none had it, letters would play the game.
-QWidget *firstControl(QWidget *content) {
-    const auto isControl = [](const QWidget *widget) {
-        const bool takesKeys = widget->isEnabled() && widget->isVisible() && (widget->focusPolicy() & Qt::TabFocus);
-        return takesKeys && !qobject_cast<const QScrollArea *>(widget);
-    };
-    QWidget *first = content;
-    while (first->focusProxy()) first = first->focusProxy();
-    if (isControl(first)) return first;
-    for (QWidget *next = first->nextInFocusChain(); next != first; next = next->nextInFocusChain())
-        if (content->isAncestorOf(next) && isControl(next)) return next;
-    return first;
 }
 } // namespace
 
@@ -303,7 +290,7 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
             dock.close();
         else
             showDock(dock, share);
-        if (!isSeen) firstControl(dock.widget())->setFocus(Qt::ShortcutFocusReason); // a text is selected
+        if (!isSeen) giveKeyboard(*dock.widget());
         showState();
     });
     addAction(toggle); // so that it is listed with the others

@@ -186,6 +186,8 @@ private:
     void toggleBounces();
     void toggleWayAhead();
     void toggleOthersAhead();
+    void goToNextPart();
+    void goToPartBefore();
     void confirm();
     void toggleRunning();
     void pause();

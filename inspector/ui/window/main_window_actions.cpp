@@ -7,6 +7,7 @@
 #include "ui/comparison/comparison_dock.h"
 #include "ui/comparison/distance_plot.h"
 #include "ui/game/game_strip.h"
+#include "ui/input/parts_in_turn.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/message_bar.h"
@@ -89,6 +90,9 @@ std::vector<MainWindow::ActionRow> MainWindow::viewRows() {
          QT_TR_NOOP("While paused: where else the ball may go, as little as tilt, friction, restitution and start are "
                     "known; the Trade dock says within what"),
          &MainWindow::toggleOthersAhead},
+        {"next_part", QT_TR_NOOP("Keyboard to the next part"), "F6",
+         QT_TR_NOOP("From the board to the docks that are open, and back"), &MainWindow::goToNextPart},
+        {"previous_part", QT_TR_NOOP("Keyboard to the part before"), "Shift+F6", "", &MainWindow::goToPartBefore},
     };
 }
 
@@ -195,7 +199,8 @@ void MainWindow::makeMenus() {
           "save_plot", "screenshot", "record", "", "quit"}},
         {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
         {QT_TR_NOOP("&View"),
-         {"", "camera_reset", "camera_top", "camera_follow", "", "bounces", "way_ahead", "others_ahead"}},
+         {"", "camera_reset", "camera_top", "camera_follow", "", "bounces", "way_ahead", "others_ahead", "",
+          "next_part", "previous_part"}},
         {QT_TR_NOOP("&Game"),
          {"play",
           "",
@@ -469,6 +474,9 @@ void MainWindow::toggleWayAhead() {
 }
 
 void MainWindow::toggleOthersAhead() { m_session.showOthersAhead(action("others_ahead")->isChecked()); }
+
+void MainWindow::goToNextPart() { moveKeyboard(*this, *m_view, 1); }
+void MainWindow::goToPartBefore() { moveKeyboard(*this, *m_view, -1); }
 
 void MainWindow::confirm() { m_session.game().confirm(); }
 

@@ -5,6 +5,7 @@
 #include "ui/parts/number_box.h"
 #include "window_fixture.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
@@ -51,6 +52,9 @@ private slots:
     void lettersInANumberAreNotCommands();
     void ballRollsWhereTheArrowsPoint();
     void tabLeavesOutDocksBehindOthers();
+    void f6GoesFromTheBoardToTheDocksAndBack();
+    void everyFocusIsSeen_data();
+    void everyFocusIsSeen();
     void everyShortcutIsListed();
     void noShortcutIsThereTwice();
     void keysCanBeSearched();
@@ -343,6 +347,68 @@ void TestWindowKeys::tabLeavesOutDocksBehindOthers() {
         QVERIFY(m_fixture->find<QWidget>("view")->hasFocus());
         QVERIFY(seen.size() > 10);
     }
+}
+
+void TestWindowKeys::f6GoesFromTheBoardToTheDocksAndBack() {
+    m_fixture->find<QDockWidget>("levels_dock")->setFloating(true);
+    m_fixture->trigger("show_watch_dock");
+    QApplication::processEvents();
+    auto *view = m_fixture->find<QWidget>("view");
+    view->activateWindow();
+    QTRY_COMPARE(QApplication::activeWindow(), &m_fixture->window());
+    view->setFocus();
+    const auto part = [] {
+        const QWidget *widget = QApplication::focusWidget();
+        while (widget && !qobject_cast<const QDockWidget *>(widget) && widget->objectName() != "view")
+            widget = widget->parentWidget();
+        return widget ? widget->objectName() : QString();
+    };
+    const QStringList order{"parameters_dock", "levels_dock", "plot_dock", "watch_dock", "view"};
+    for (const QString &name : order) {
+        m_fixture->key(Qt::Key_F6);
+        QTRY_COMPARE(part(), name);
+    }
+    for (qsizetype i = order.size() - 1; i-- > 0;) {
+        m_fixture->key(Qt::Key_F6, Qt::ShiftModifier);
+        QTRY_COMPARE(part(), order[i]);
+    }
+}
+
+void TestWindowKeys::everyFocusIsSeen_data() {
+    QTest::addColumn<QString>("theme");
+    QTest::newRow("light") << "theme_1";
+    QTest::newRow("dark") << "theme_2";
+}
+
+// A control with the keyboard looks different from one without.
+void TestWindowKeys::everyFocusIsSeen() {
+    QFETCH(QString, theme);
+    m_fixture->trigger(theme);
+    m_fixture->window().resize(1270, 1000);
+    m_fixture->key(Qt::Key_F6);
+    QStringList unseen;
+    int count = 0;
+    for (QDockWidget *dock : m_fixture->window().findChildren<QDockWidget *>()) {
+        if (dock->visibleRegion().isEmpty()) m_fixture->trigger("show_" + dock->objectName());
+        QApplication::processEvents();
+        for (QWidget *control : dock->findChildren<QWidget *>()) {
+            const bool takesTab = control->isEnabled() && (control->focusPolicy() & Qt::TabFocus);
+            if (!takesTab || control->focusProxy() || control->visibleRegion().isEmpty()) continue;
+            const auto *table = qobject_cast<QAbstractItemView *>(control);
+            if (table && table->model()->rowCount() == 0) continue; // no row to mark
+            m_fixture->find<QWidget>("view")->setFocus();
+            const QImage without = control->grab().toImage();
+            control->setFocus(Qt::TabFocusReason);
+            if (!control->hasFocus()) continue;
+            ++count;
+            if (control->grab().toImage() == without)
+                unseen += QString("%1 %2 in %3")
+                              .arg(control->metaObject()->className(), control->objectName(), dock->objectName());
+        }
+    }
+    m_fixture->trigger("theme_1");
+    QVERIFY(count > 50);
+    QCOMPARE(unseen.join(", "), QString());
 }
 
 void TestWindowKeys::everyShortcutIsListed() {
