@@ -131,10 +131,13 @@ void stopBounces(double negligible, MovingBall &ball, Touching &touching) {
     project(touching, ~0U, ball);
 }
 
-/// Whether a top face that the ball touches carries it: the reactions at other contacts may lift it off.
-bool isCarried(const Touching &touching, uint32_t i, MovingBall &ball) {
-    if (touching.count() == 1) return true;
-    const Response response = respond(ball.moment(), touching.held(), ball.work);
+/// Rolling model: whether a top face carries a ball with this spin. The reactions at other contacts may lift it off, or
+/// press it down.
+bool isCarried(const Touching &touching, uint32_t i, const Vec3 &spin, MovingBall &ball) {
+    if (touching.count() == 1) return ball.params().gravity.z <= 0.0;
+    Moment moment = ball.moment();
+    moment.spin = spin;
+    const Response response = respond(moment, touching.held(), ball.work);
     return !response.isFound || isClosed(response, i);
 }
 
@@ -142,11 +145,10 @@ bool isCarried(const Touching &touching, uint32_t i, MovingBall &ball) {
 /// given spin from it.
 double roll(const Touching &touching, MovingBall &ball) {
     double lost = 0.0;
-    if (ball.setting.isRigid() || ball.params().gravity.z > 0.0) return lost;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const double R = ball.radius();
         const Vec3 spin = rollingSpin(inPlane(ball.motion.velocity), R);
-        if (!touching.held(i).isGlued || (ball.motion.spin != spin && !isCarried(touching, i, ball))) continue;
+        if (!touching.held(i).isGlued || ball.motion.spin == spin || !isCarried(touching, i, spin, ball)) continue;
         lost += 0.2 * R * R * (glm::dot(ball.motion.spin, ball.motion.spin) - glm::dot(spin, spin));
         ball.motion.spin = spin;
     }

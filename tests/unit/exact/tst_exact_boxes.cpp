@@ -38,6 +38,8 @@ private slots:
     void rollingOnRoundingItSpinsAgainstARoughWall_data();
     void rollingOnRoundingItSpinsAgainstARoughWall();
     void resistanceAloneLetsASlipStartAtAnEdge();
+    void aRoofThatPressesItOnTheFloorMakesItRoll();
+    void restsBesideKerbsWhateverSpinItIsGiven();
 };
 
 void ExactBoxes::fallsOnAShelfInACornerOfTwoWalls() {
@@ -273,6 +275,38 @@ void ExactBoxes::resistanceAloneLetsASlipStartAtAnEdge() {
     const phys_vec3 &p = run.state.position;
     QVERIFY(std::abs(std::hypot(p.x, p.y) - kRadius) <= 4.0 * kU);
     QVERIFY(run.state.velocity.x * s + run.state.velocity.y * c < 0.0);
+}
+
+/// Gravity pulls upwards, into the edge of a smooth roof with the normal (0.6, 0, -0.8), which presses the ball on the
+/// floor: model.md 2.1 R7.
+void ExactBoxes::aRoofThatPressesItOnTheFloorMakesItRoll() {
+    Run run({exact::kFloor, {{-1, -1, 1.8 * kRadius}, {-0.6 * kRadius, 1, 1}}}, kRadius,
+            {4, 0, kRadius}); // no floor there
+    run.state.position = {0, 0, kRadius};
+    run.params.rolling_friction = 0.01;
+    run.params.gravity = {-7.0, 3.0, 1.5};
+    run.state.spin = {20, 0, 30};
+    run.step(0.01);
+    const double pressure = 7.0 / 0.6 * 0.8 - 1.5, speed = 0.01 * 5.0 / 7.0 * (3.0 - 0.01 * pressure);
+    QVERIFY(std::abs(run.state.velocity.y - speed) <= 1e-15);
+    QVERIFY(std::abs(run.state.spin.x + speed / kRadius) <= 1e-13);
+    QCOMPARE(run.state.spin.z, 0.0);
+    QVERIFY(std::abs(run.report.lost_slip - 0.2 * kRadius * kRadius * 1300.0) <= 1e-14);
+}
+
+/// Resistance holds a ball on the floor that isn't turning, as in the rolling model at rest; with another spin, kerbs
+/// would carry it.
+void ExactBoxes::restsBesideKerbsWhateverSpinItIsGiven() {
+    const double R = 0.006;
+    Run run({{{-0.0107, -0.029, -0.009}, {0.045, 0.028, 0}},
+             {{-0.017, -0.054, -0.0125}, {-0.0059095555239792614, 0.032, 0.004962139937657201}},
+             {{-0.022, -0.021, -0.0055}, {-6.8180868060286066e-06, -0.00036422958207613635, 1.1069350440519321e-05}}},
+            R, {0, 0, R});
+    run.params.rolling_friction = 1.77;
+    run.params.gravity = {-2.6, -4.6, -6.4};
+    run.state.spin = {-22.9, 24.6, -56};
+    run.step(0.01);
+    QCOMPARE(run.state.flags, uint64_t(PHYS_AT_REST));
 }
 
 QTEST_GUILESS_MAIN(ExactBoxes)
