@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace phys {
 
@@ -124,9 +125,9 @@ Some stillHeld(const Way &now, const Touching &touching, const Response &respons
 }
 
 /// Whether the same contacts press, which then do so with the same forces.
-bool pressAlike(const Some &some, const Response &response, const Response &chosen, double noForce) {
+bool pressAlike(const Some &some, std::span<const double> pressures, const Response &chosen, double noForce) {
     for (uint32_t i = 0; i < some.count; ++i) {
-        const bool presses = response.reactions[some.number[i]].pressure > noForce;
+        const bool presses = pressures[some.number[i]] > noForce;
         if (presses != (chosen.reactions[i].pressure > noForce)) return false;
     }
     return true;
@@ -143,8 +144,9 @@ double excess(const Series &phase, double t, const Touching &touching, const Res
     const Some some = stillHeld(now, touching, response, ball);
     const Response chosen = respond(moment, {some.held.data(), some.count}, ball.work);
     if (!chosen.isFound || !onlySlips(chosen)) return 0.0;
-    if (pressAlike(some, response, chosen, kFits * accelerationScale(moment))) return 0.0;
-    const double present = phase.sumOfPressures(t);
+    const std::array<double, kMostHeld> pressures = phase.pressures(t);
+    if (pressAlike(some, pressures, chosen, kFits * accelerationScale(moment))) return 0.0;
+    const double present = std::accumulate(pressures.begin(), pressures.end(), 0.0);
     double more = present - kSame * (present + accelerationScale(moment));
     for (const Reaction &reaction : chosen.list()) {
         more -= reaction.pressure;

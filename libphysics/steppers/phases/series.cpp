@@ -404,11 +404,11 @@ double Series::least(const Vec3 &n, double, double t, double until) const {
     return glm::dot(seen, m_a.at(s)) - glm::dot(glm::abs(seen), m_turns) * (placeOf(until) - s);
 }
 
-double Series::sumOfPressures(double t) const {
+std::array<double, kMostHeld> Series::pressures(double t) const {
     const double s = placeOf(t);
-    double sum = 0.0;
-    for (const Contact &contact : contacts()) sum += contact.N.at(s);
-    return sum;
+    std::array<double, kMostHeld> pressures{};
+    for (uint32_t i = 0; i < m_count; ++i) pressures[given(i)] = m_contacts[i].N.at(s);
+    return pressures;
 }
 
 Jet Series::slipSpeed(const Contact &contact) const {

@@ -54,7 +54,7 @@ public:
     Vec3 spinAt(double t) const;
     double least(const Vec3 &n, double rate, double t, double until) const;
     double mostAcceleration() const { return m_most; }
-    double sumOfPressures(double t) const; ///< of N
+    std::array<double, kMostHeld> pressures(double t) const; ///< N of each contact
     /// Whether more contacts press than can by themselves, model.md 14.1.
     bool sharesLoad() const { return m_shared.rate != 0.0; }
     Losses losses(double t) const;
