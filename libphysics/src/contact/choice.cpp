@@ -20,28 +20,6 @@ struct Substep {
     double h; ///< s
 };
 
-/// How much of contact b's reaction acts along a's normal, at most. None of it counts if their normals are nearly the
-/// same, as at a crack in a floor: they share what presses on both.
-double couplingOf(const Contact &a, const Contact &b) {
-    constexpr double kNearlySame = 1e-4; // rad
-    const bool isSameSide = glm::dot(a.normal, b.normal) > 0.0;
-    if (isSameSide && glm::length(glm::cross(a.normal, b.normal)) < kNearlySame) return 0.0;
-    return mostCoupling(b.normal, b.friction, a.normal);
-}
-
-/// Whether friction can't hold what it presses by itself: the reactions of the other contacts always change the speed
-/// along a normal by less than its own reaction does.
-bool areUncoupled(const Contacts &contacts) {
-    if (std::none_of(contacts.begin(), contacts.end(), [](const Contact &contact) { return contact.friction > 0.0; }))
-        return true;
-    if (contacts.count() == 2) return couplingOf(contacts[0], contacts[1]) * couplingOf(contacts[1], contacts[0]) < 1.0;
-    return std::all_of(contacts.begin(), contacts.end(), [&](const Contact &a) {
-        double sum = 0.0;
-        for (const Contact &b : contacts) sum += &a == &b ? 0.0 : couplingOf(a, b);
-        return sum < 1.0;
-    });
-}
-
 /// Speed that a share of the weight, or what rounding a feature takes, ends within a substep, m/s.
 double endedSpeed(const Substep &substep, double share) {
     const Moment &moment = substep.moment;

@@ -48,6 +48,29 @@ inline double mostCoupling(const Vec3 &from, double friction, const Vec3 &to) {
     return std::abs(cosine) + friction * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
 }
 
+/// Whether friction can't hold what it presses by itself, so that only one combination of modes fits: the reactions of
+/// the other contacts always change the speed along a normal by less than its own reaction does. Those with nearly the
+/// same normal, as at a crack in a floor, don't count: they share what presses on both.
+template<class List>
+bool areUncoupled(const List &contacts) {
+    const auto coupling = [](const auto &to, const auto &from) {
+        constexpr double kNearlySame = 1e-4; // rad
+        const bool isSameSide = glm::dot(to.normal, from.normal) > 0.0;
+        if (isSameSide && glm::length(glm::cross(to.normal, from.normal)) < kNearlySame) return 0.0;
+        return mostCoupling(from.normal, from.friction, to.normal);
+    };
+    if (std::none_of(contacts.begin(), contacts.end(), [](const auto &one) { return one.friction > 0.0; })) return true;
+    if (contacts.end() - contacts.begin() == 2) {
+        const auto &a = *contacts.begin(), &b = *(contacts.end() - 1);
+        return coupling(a, b) * coupling(b, a) < 1.0;
+    }
+    return std::all_of(contacts.begin(), contacts.end(), [&](const auto &to) {
+        double sum = 0.0;
+        for (const auto &from : contacts) sum += &from == &to ? 0.0 : coupling(to, from);
+        return sum < 1.0;
+    });
+}
+
 /// The part of the spin that rolling resistance opposes.
 inline Vec3 rollingSpin(const Moment &moment, const Held &held) { return tangential(moment.spin, held.normal); }
 

@@ -84,17 +84,6 @@ void cutAtExchange(const P &phase, const Touching &touching, const Response &res
     cutWhen(isLess, until, end);
 }
 
-/// Whether contacts act so little on each other that only one combination of modes fits.
-bool hasOneSolution(std::span<const Held> held) {
-    return std::all_of(held.begin(), held.end(), [&](const Held &to) {
-        double sum = 0.0;
-        for (const Held &from : held) {
-            if (&from != &to) sum += mostCoupling(from.normal, from.friction, to.normal);
-        }
-        return sum < 1.0;
-    });
-}
-
 bool onlySlips(const Response &response) {
     const std::span<const Reaction> list = response.list();
     return std::all_of(list.begin(), list.end(), [](const Reaction &reaction) {
@@ -161,7 +150,7 @@ template<class P>
 void cutAtChoice(const P &, const Touching &, const Response &, MovingBall &, End &) {}
 
 void cutAtChoice(const Series &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
-    if (touching.count() < 3 || !onlySlips(response) || hasOneSolution(touching.held())) return;
+    if (touching.count() < 3 || !onlySlips(response) || areUncoupled(touching.held())) return;
     Exchange exchange;
     if (phase.sharesLoad() || findExchange(ball.motion, touching, response, ball, exchange)) return;
     const double before = std::max(0.0, excess(phase, 0.0, touching, response, ball));

@@ -148,7 +148,7 @@ double roll(const Touching &touching, MovingBall &ball) {
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const double R = ball.radius();
         const Vec3 spin = rollingSpin(inPlane(ball.motion.velocity), R);
-        if (!touching.held(i).isGlued || ball.motion.spin == spin || !isCarried(touching, i, spin, ball)) continue;
+        if (!touching.held(i).isGlued || (ball.motion.spin != spin && !isCarried(touching, i, spin, ball))) continue;
         lost += 0.2 * R * R * (glm::dot(ball.motion.spin, ball.motion.spin) - glm::dot(spin, spin));
         ball.motion.spin = spin;
     }
