@@ -87,6 +87,7 @@ private slots:
 // user can choose, makes up for a slow machine, but sets no best time.
 void TestWindowPlayer::arrowKeysWinLevelOne() {
     Fixture fixture(1, inspector::gl::Drawing::Solid);
+    fixture.window().resize(800, 600); // every picture of a board that tilts is drawn anew, by software
     QVERIFY(fixture.isReady());
     fixture.session().setSpeed(0.5);
     const auto text = [&] {
