@@ -203,7 +203,7 @@ private:
             for (const auto &[axis, side] : kSides) {
                 const uint32_t number = boxOn(axis, side);
                 if (!isBeyond(extent, axis, side) || number == PHYS_NO_BOX) continue;
-                const double after = timeOfHit(phase, from, end, axis, m_ball.scene().boxes[number]);
+                const double after = timeOfHit(phase, from, end, axis, side, m_ball.scene().boxes[number]);
                 if (after < first.after) first = {after, axis, side, number};
             }
             return first.after;
@@ -221,12 +221,20 @@ private:
     }
 
     template<class Phase>
-    double timeOfHit(const Phase &phase, double from, double end, int axis, const phys_box &box) {
+    double timeOfHit(const Phase &phase, double from, double end, int axis, int side, const phys_box &box) {
         Contacts touched;
-        if (range(axis).isFace(m_ball.position[axis])) {
+        const Outlook around{m_ball.scene(), m_ball.position, m_ball.motion, touched, m_ball.work};
+        const bool isTouched = range(axis).isFace(m_ball.position[axis]);
+        if constexpr (requires { phase.turnsOnce(); }) {
+            if (phase.turnsOnce()) {
+                const FaceTarget face(m_ball.position, box, axis, side, isTouched && sideOf(axis) == side);
+                const double after = PlaneSearch(face, around, phase).find(from, end);
+                if (!std::isnan(after)) return after;
+            }
+        }
+        if (isTouched) {
             touched.add(contactAtFace(m_ball.setting, m_ball.position, boxAt(axis), axis, sideOf(axis)));
         }
-        const Outlook around{m_ball.scene(), m_ball.position, m_ball.motion, touched, m_ball.work};
         return touchTime(around, box, phase, from, end);
     }
 

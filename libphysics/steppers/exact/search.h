@@ -118,18 +118,55 @@ double openingTime(const Target &target, const Phase &phase, const Outlook &arou
     return t;
 }
 
+/// A face relative to a ball that is beside it, with the same gaps as Target.
+struct FaceTarget {
+    int axis;
+    double face; ///< m: its coordinate
+    Vec3 normal{0.0};
+    bool isTouched; ///< and not approached
+
+    FaceTarget(const Vec3 &position, const phys_box &box, int across, int side, bool touched)
+        : axis(across)
+        , face((side > 0 ? &box.max.x : &box.min.x)[across] - position[across])
+        , isTouched(touched) {
+        normal[axis] = side;
+    }
+
+    double gap(const Vec3 &way, double radius, Vec3 &n) const {
+        n = normal;
+        return isTouched ? glm::dot(normal, way) : std::abs(way[axis] - face) - radius;
+    }
+};
+
 /// The search for a face of a box, in a phase whose velocity along any direction changes its sign at most once
 /// (model.md 3.5): the rest of the box lies behind the face's plane.
-template<class Phase>
+template<class Goal, class Phase>
 class PlaneSearch {
 public:
-    PlaneSearch(const Target &target, const Outlook &around, const Phase &phase)
+    PlaneSearch(const Goal &target, const Outlook &around, const Phase &phase)
         : m_target(target)
         , m_around(around)
         , m_phase(phase)
         , m_gap(target.gap(Vec3(0.0), around.scene.radius, m_normal))
         , m_rate(glm::dot(m_normal, around.motion.velocity)) {}
 
+    /// When the ball comes to the face from a time on; kNever if it certainly doesn't until then; NAN if it isn't
+    /// known.
+    double find(double from, double until) const {
+        if (!isAhead()) return NAN;
+        if (isFar(until)) return kNever;
+        const double t = run(until);
+        return t != kNever && t >= from ? t : NAN;
+    }
+
+    /// The zero near t, if it is at a face: like phys::settled, with the curvature.
+    double settled(double t) const {
+        Vec3 normal;
+        const double start = fewDigits(t), s = start + stepFrom(start, normal);
+        return isFace(normal) && std::abs(s - t) <= 0x1p-40 * t ? s : t;
+    }
+
+private:
     /// Whether the nearest feature of the box is a face that may be met from now on.
     bool isAhead() const {
         const bool isPressed = m_target.isTouched && m_rate <= negligibleSpeed(m_around.motion, m_around.scene.radius);
@@ -159,14 +196,6 @@ public:
         return kNever; // of a NaN, too
     }
 
-    /// The zero near t, if it is at a face: like phys::settled, with the curvature.
-    double settled(double t) const {
-        Vec3 normal;
-        const double start = fewDigits(t), s = start + stepFrom(start, normal);
-        return isFace(normal) && std::abs(s - t) <= 0x1p-40 * t ? s : t;
-    }
-
-private:
     static bool isFace(const Vec3 &n) { return std::abs(n.x) == 1.0 || std::abs(n.y) == 1.0 || std::abs(n.z) == 1.0; }
 
     /// From t towards the zero at the nearest feature; NaN if the ball doesn't approach it then.
@@ -179,7 +208,7 @@ private:
         return newton * (1.0 + 0.5 * newton * bend / speed);
     }
 
-    const Target &m_target;
+    const Goal &m_target;
     const Outlook &m_around;
     const Phase &m_phase;
     Vec3 m_normal;
@@ -201,12 +230,10 @@ double touchTime(const Outlook &around, const phys_box &box, const Phase &phase,
     if constexpr (requires { phase.turnsOnce(); }) {
         if (phase.turnsOnce()) {
             const PlaneSearch plane(target, around, phase);
-            const bool isAhead = plane.isAhead();
-            if (isAhead && plane.isFar(until)) return kNever;
-            const double t = isAhead ? plane.run(until) : kNever;
-            if (t != kNever && t >= from) return t;
-            const double found = anyTouchTime(target, around, phase, from, until);
-            return found == kNever ? found : plane.settled(found);
+            double t = plane.find(from, until);
+            if (!std::isnan(t)) return t;
+            t = anyTouchTime(target, around, phase, from, until);
+            return t == kNever ? t : plane.settled(t);
         }
     }
     return anyTouchTime(target, around, phase, from, until);
