@@ -152,6 +152,11 @@ bool isWithinCone(const Combination &c, uint32_t i, double zero) {
     return limit * limit - squared(c.judged[i] - pressure * n) >= -2.0 * most * limit - zero * zero;
 }
 
+/// What a slip's rate may be off because its direction changes no more than that: rough contacts magnify it.
+double unsettled(const Combination &c, uint32_t i) {
+    return kSlipPerFriction * c.moment.settled * c.held[i].friction * std::abs(c.reactions[i].pressure);
+}
+
 /// Whether a slip starts at this moment in the direction that another, sticking contact leaves free.
 bool isSpent(const Combination &c, uint32_t i) { return (c.spent >> i & 1U) && c.onlySticking() < c.count(); }
 
@@ -179,7 +184,8 @@ bool fits(const Combination &c, double zero) {
             break;
         case Mode::starting:
             if (std::abs(apart) > zero || reaction.pressure < leastPressure) return false;
-            if (glm::dot(slipRate(c, i), reaction.direction) <= (isSpent(c, i) ? -zero : zero)) return false;
+            if (glm::dot(slipRate(c, i), reaction.direction) <= (isSpent(c, i) ? -zero : zero + unsettled(c, i)))
+                return false;
             break;
         case Mode::sticking:
             if (std::abs(apart) > zero || reaction.pressure < -zero) return false;

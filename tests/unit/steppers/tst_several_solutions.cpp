@@ -116,6 +116,18 @@ Start slippingAtThreeInOnePlane() {
     return start;
 }
 
+Start heldByTwoOfThreeInOnePlane() {
+    Start start;
+    start.radius = 0.006;
+    start.boxes = {{{-0.0085831845232854156, -0.014, 0.006305085070734062}, {-0.005992238571653769, 0.038, 0.021}},
+                   {{0.0034669306952204975, -0.0075, -0.018}, {0.02, 0.0095, 0.0011030222019557901}},
+                   {{0.006, -0.038, -0.039}, {0.008, 0.036, 0.055}}};
+    start.place.z = 0.006;
+    start.gravity = {-5.6044647036766229, 2.5304802762504384, -7.8237458677287446};
+    start.wall = 0.98348446082265639;
+    return start;
+}
+
 Start spinningAmongFour() {
     Start start;
     start.boxes = {{{-0.044, -0.05, 0.01}, {0.035, 0.047, 0.068}},
@@ -219,8 +231,10 @@ void TestSeveralSolutions::theLeastPressureIsTaken_data() {
         const char *const names[] = {"resistance holds a ball beside a low kerb",
                                      "resistance doesn't press a ball into a wall",
                                      "a rough kerb lifts a spinning ball off a smooth floor",
-                                     "two of three in one plane carry a ball", "two or three of four carry a ball"};
-        for (int i = 0; i < 5; ++i) QTest::addRow("%s, %s", stepper.constData(), names[i]) << stepper << i;
+                                     "two of three in one plane carry a ball",
+                                     "two or three of four carry a ball",
+                                     "two of three in one plane hold a ball"};
+        for (int i = 0; i < 6; ++i) QTest::addRow("%s, %s", stepper.constData(), names[i]) << stepper << i;
     }
 }
 
@@ -239,6 +253,7 @@ void TestSeveralSolutions::theLeastPressureIsTaken() {
          {0.28 * N - 0.96 * rubbing, 0.0, 0.96 * N + 0.28 * rubbing - 9.8, 0.0, 2.5 * rubbing, 0.0}},
         {slippingAtThreeInOnePlane(), {11.86, 0.0, 0.0, -18.0, -20.6, 21.4}},
         {spinningAmongFour(), {0.0, 0.0, 0.0, -9.53, -2.98, -3.16}},
+        {heldByTwoOfThreeInOnePlane(), {0.0, 0.817, 0.0, -1.64, 0.0, 0.903}},
     };
     const Accelerations found = accelerationsOf(stepper, cases[which].start);
     const double off = distance(found, cases[which].wanted);
