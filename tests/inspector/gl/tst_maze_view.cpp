@@ -33,7 +33,7 @@ void drag(QWidget *widget, Qt::MouseButton button, const QPoint &from, const QPo
     QTest::mouseRelease(widget, button, {}, to);
 }
 
-void turnWheel(QWidget *widget, const QPoint &place, int notches) {
+void turnWheelAt(QWidget *widget, const QPoint &place, int notches) {
     QWheelEvent wheel(place, widget->mapToGlobal(place), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);
     QApplication::sendEvent(widget, &wheel);
@@ -151,16 +151,16 @@ private slots:
 
     void wheelZooms() {
         const double distance = m_view->camera().distance();
-        turnWheel(m_view.get(), {160, 120}, 1);
+        turnWheelAt(m_view.get(), {160, 120}, 1);
         QVERIFY(m_view->camera().distance() < distance);
-        turnWheel(m_view.get(), {160, 120}, -1);
+        turnWheelAt(m_view.get(), {160, 120}, -1);
         QCOMPARE(m_view->camera().distance(), distance);
     }
 
     void doubleClickShowsEverythingAgain() {
         const glm::dvec3 eye = m_view->camera().eye();
         drag(m_view.get(), Qt::LeftButton, {160, 120}, {220, 180});
-        turnWheel(m_view.get(), {100, 60}, 3);
+        turnWheelAt(m_view.get(), {100, 60}, 3);
         QVERIFY(glm::distance(m_view->camera().eye(), eye) > 0.01);
         QTest::mouseDClick(m_view.get(), Qt::LeftButton);
         QVERIFY(glm::distance(m_view->camera().eye(), eye) < 1e-12);
@@ -206,7 +206,7 @@ private slots:
         QTRY_VERIFY(m_view->camera().distance() > 1.5 * start); // half as wide: about twice as far
         m_view->resize(kWidth, kHeight);
         QTRY_COMPARE(m_view->camera().distance(), start);
-        turnWheel(m_view.get(), {160, 120}, 2);
+        turnWheelAt(m_view.get(), {160, 120}, 2);
         const double chosen = m_view->camera().distance();
         m_view->resize(kWidth / 2, kHeight);
         QTRY_COMPARE(m_view->grabFramebuffer().width(), kWidth / 2);

@@ -28,13 +28,13 @@ unsigned numberOf(const char *variable, unsigned usual) {
     return isNumber ? number : usual;
 }
 
-struct Stroke {
+struct KeyStroke {
     Qt::Key key;
     Qt::KeyboardModifiers modifiers;
 };
 
 // All keys of the window except those that quit.
-const Stroke kStrokes[] = {
+const KeyStroke kStrokes[] = {
     {Qt::Key_Return, {}},
     {Qt::Key_Escape, {}},
     {Qt::Key_Space, {}},
@@ -124,7 +124,7 @@ QWidget *TestWindowMonkey::anyWidget() {
 }
 
 void TestWindowMonkey::pressKey() {
-    const Stroke stroke = kStrokes[any(int(std::size(kStrokes)))];
+    const KeyStroke stroke = kStrokes[any(int(std::size(kStrokes)))];
     m_fixture->key(stroke.key, stroke.modifiers);
 }
 
