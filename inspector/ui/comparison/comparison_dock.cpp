@@ -110,7 +110,7 @@ void ComparisonDock::refresh(const Snapshot &now) {
     m_figures->setText(summary(now));
     m_plot->setContext({nullptr, m_session.isInPast() ? std::optional(now.current.time) : std::nullopt, {}});
     hideEarlierGhosts(now);
-    m_plot->refresh();
+    if (!m_plot->visibleRegion().isEmpty()) m_plot->refresh(); // behind another dock, once it is seen
 }
 
 /// The legend has one name for the ghost, so the curve begins where that ghost started at the ball.

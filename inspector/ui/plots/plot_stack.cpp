@@ -155,11 +155,14 @@ void PlotStack::fillMenu(QMenu &menu, QWidget *plot) {
     connect(removed, &QAction::triggered, this, [this, plot] { removePlot(plot); });
 }
 
+/// Plots behind another dock are drawn once they are seen.
 void PlotStack::refresh(const RunContext &context) {
-    for (QuantityPlot *plot : m_plots) {
-        plot->setContext(context);
-        plot->refresh();
-    }
+    for (QuantityPlot *plot : m_plots) plot->setContext(context);
+    if (!first().visibleRegion().isEmpty()) drawAll();
+}
+
+void PlotStack::drawAll() {
+    for (QuantityPlot *plot : m_plots) plot->refresh();
     for (PhasePlot *plot : m_phasePlots) plot->refresh();
 }
 
@@ -209,6 +212,7 @@ void PlotStack::remember() {
 }
 
 bool PlotStack::save(const QString &path, QString *error) {
+    drawAll();
     const bool isPicture = QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0;
     if (!isPicture || count() == 1) return first().save(path, error);
     QImage whole(size() * kPictureScale, QImage::Format_RGB32);

@@ -53,6 +53,7 @@ private:
     QuantityPlot *makePlot(const PlotContent &content);
     PhasePlot *makePhasePlot(Channel x, Channel y);
     void shareHeight(QList<int> heights);
+    void drawAll();
     void offerMenu(QWidget *plot);
     void restore();
     void remember();

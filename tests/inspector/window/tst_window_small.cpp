@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSignalSpy>
 #include <QStatusBar>
 #include <QTabBar>
 
@@ -48,6 +49,7 @@ private slots:
     void legendOfALowPlotIsWholeOrLeftOut();
     void legendLeavesASmallPlotToItsCurves();
     void hintIsWholeInAPlotThatBecameNarrow();
+    void plotBehindAnotherDockIsDrawnOnceItIsSeen();
     void resultNamesItsLevel();
     void resultSaysItsReasonWhole_data();
     void resultSaysItsReasonWhole();
@@ -360,6 +362,21 @@ void TestWindowSmall::hintIsWholeInAPlotThatBecameNarrow() {
         QVERIFY2(text->text().isEmpty() || isReadOutWhole(plot), qPrintable(QString::number(width)));
     }
     QVERIFY(wasThere && text->text().isEmpty());
+}
+
+void TestWindowSmall::plotBehindAnotherDockIsDrawnOnceItIsSeen() {
+    const auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
+    m_fixture->trigger("show_runs_dock");
+    QTRY_VERIFY(plot->visibleRegion().isEmpty());
+    QApplication::processEvents();
+    const QSignalSpy drawn(plot, &QCustomPlot::afterReplot);
+    m_fixture->makeSteps(5);
+    m_fixture->window().refresh();
+    QApplication::processEvents();
+    QCOMPARE(drawn.count(), 0);
+    m_fixture->find<QDockWidget>("plot_dock")->raise();
+    QTRY_VERIFY(drawn.count() > 0);
+    QTRY_VERIFY(plot->graph(0)->dataCount() > 0);
 }
 
 void TestWindowSmall::resultNamesItsLevel() {
