@@ -103,6 +103,7 @@ private:
     QList<QDockWidget *> docksOf(Qt::DockWidgetArea area, bool isOnCall) const;
     void giveBackHeights(Qt::DockWidgetArea area);
     void showComparisonDock();
+    void showBouncesDock();
     void makeMenus();
     void addUndoActions(QMenu &menu);
     void addViewChoices(QMenu &menu);
