@@ -172,8 +172,9 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
     options.shaders = parser.value("shaders");
     if (parser.isSet("shaders") && !isFolder(options.shaders))
         throw WrongUse{QStringLiteral("--shaders: expected a folder, found %1").arg(foundText(options.shaders))};
-    if (parser.isSet("all-levels") && (parser.isSet("csv") || parser.isSet("level")))
-        throw WrongUse{QStringLiteral("--all-levels: takes neither --csv nor --level")};
+    for (const char *name : {"csv", "csv-every", "level"})
+        if (parser.isSet("all-levels") && parser.isSet(name))
+            throw WrongUse{QStringLiteral("--all-levels: doesn't go with --%1").arg(name)};
 }
 
 void readComparison(const QCommandLineParser &parser, Options &options) {

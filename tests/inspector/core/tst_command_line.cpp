@@ -285,7 +285,9 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
     QTest::newRow("table as a picture") << "--headless --csv tab.png"
                                         << "--csv: expected a file name ending in .csv, found 'tab.png'";
     QTest::newRow("one level and all") << "--all-levels --level 2"
-                                       << "--all-levels";
+                                       << "--all-levels: doesn't go with --level";
+    QTest::newRow("rows of all levels") << "--all-levels --csv-every 10"
+                                        << "--all-levels: doesn't go with --csv-every";
 }
 
 void TestCommandLine::wrongUseGivesOneLineAndStatus2() {
