@@ -30,8 +30,7 @@ phys_status leaveBoxes(Ground &ground, MovingBall &ball) {
 
 /// Whether the ball slips on a floor.
 bool slipsAt(const Vec3 &normal, const MovingBall &ball) {
-    return ball.setting.isRigid() && ball.params().sliding_friction > 0.0 &&
-           !isNoSlip(ball.moment(), slipAt(ball.moment(), normal));
+    return ball.setting.isRigid() && !isNoSlip(ball.moment(), slipAt(ball.moment(), normal));
 }
 
 /// response: of the present contacts, or nullptr if the law hasn't been evaluated.

@@ -2,6 +2,7 @@
 #include "exact/undisturbed.h"
 
 #include "base/numbers.h"
+#include "contact/modes.h"
 #include "exact/floor_pull.h"
 #include "scene/nearest.h"
 #include "shared/closed_form.h"
@@ -107,7 +108,10 @@ bool moveOnFloor(FloorRegions &regions, const Scene &scene, const phys_params &p
     const double height = scene.boxes[region->floor].max.z + scene.radius;
     Vec3 turning = rollingSpin(ball.velocity, scene.radius);
     if (pull.isRigid()) turning.z = spin.z;
-    return store(Vec3(ball.place, height), Vec3(ball.velocity, 0.0), pull.glides() ? spin : turning, 0, in, out);
+    if (pull.glides()) turning = spin;
+    const Moment end{Vec3(ball.velocity, 0.0), turning, toVec(params.gravity), scene.radius, 0.0};
+    const bool slips = pull.glides() && !isNoSlip(end, slipAt(end, Vec3(0.0, 0.0, 1.0)));
+    return store(Vec3(ball.place, height), end.velocity, turning, slips ? PHYS_SLIPPING : 0, in, out);
 }
 
 } // namespace

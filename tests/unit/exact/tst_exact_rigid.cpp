@@ -10,6 +10,8 @@ using exact::Run;
 class ExactRigid : public QObject {
     Q_OBJECT
 private slots:
+    void slipsOnASmoothFloor_data();
+    void slipsOnASmoothFloor();
     void slipEndsRolling();
     void impactCostsSpeedTwice();
     void slipAfterAnImpactLastsAsLongAsPredicted();
@@ -249,6 +251,22 @@ void ExactRigid::wholeSceneFollowsTheReference() {
         QVERIFY(near(events[i].time, expected[i].time, 8.0));
         QCOMPARE(events[i].box, expected[i].box);
     }
+}
+
+void ExactRigid::slipsOnASmoothFloor_data() {
+    QTest::addColumn<uint32_t>("options");
+    QTest::newRow("at once") << uint32_t(0);
+    QTest::newRow("in all stages") << uint32_t(PHYS_OPTION_ALL_STAGES);
+}
+
+void ExactRigid::slipsOnASmoothFloor() {
+    QFETCH(uint32_t, options);
+    Run run({kWideFloor}, 0.005, {0, 0, 0.005}, {0.5, 0, 0});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.options = options;
+    run.params.sliding_friction = 0.0;
+    run.step(0.001);
+    QCOMPARE(run.state.flags, uint64_t(PHYS_SLIPPING));
 }
 
 QTEST_GUILESS_MAIN(ExactRigid)
