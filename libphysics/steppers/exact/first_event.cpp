@@ -190,6 +190,15 @@ void cutAtRelief(const P &phase, const Touching &touching, const Response &respo
     }
 }
 
+/// Whether the ball moves in a level plane, without a floor.
+bool staysLevel(const Touching &touching, const Response &response, const MovingBall &ball) {
+    if (response.acceleration.z != 0.0 || std::abs(ball.motion.velocity.z) > ball.negligibleSpeed()) return false;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (touching.contactOf(i).isTop && isClosed(response, i)) return false;
+    }
+    return true;
+}
+
 template<class P>
 Event firstEvent(const P &phase, const Ground &ground, const Touching &touching, const Response &response,
                  MovingBall &ball) {
@@ -214,6 +223,9 @@ Event firstEvent(const P &phase, const Ground &ground, const Touching &touching,
     for (uint32_t i = 0; i < touching.count(); ++i) {
         if (!isClosed(response, i)) continue;
         cutAtBorder(around, touching.contactOf(i), phase, std::min(end.after, touch), border);
+    }
+    if (!meetsNothing && staysLevel(touching, response, ball)) {
+        cutAtLevelFloor(around, phase, std::min(end.after, touch), length, border);
     }
     end.cut({border.after, Cause::border, 0});
     if (!meetsNothing && touch == kNever) touch = firstTouch(around, phase, soon, end.after, 2.0 * length);

@@ -3,12 +3,6 @@
 
 namespace phys {
 
-namespace {
-
-double side(const phys_box &box, int axis, int sign) { return sign > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]; }
-
-} // namespace
-
 bool Outlook::isBehind(const Contact &face, const phys_box &other) const {
     const phys_box &own = box(face.box);
     for (int axis = 0; axis < 3; ++axis) {
@@ -136,6 +130,24 @@ bool carriesOn(const Outlook &around, const Contact &face, const Vec3 &p, const 
         box = other;
     });
     return furthest > tolerance;
+}
+
+double distanceFromAbove(const phys_box &box, const Vec3 &point, Vec3 &away) {
+    Vec3 out(0.0), toward(0.0); // beyond the nearer side along each axis, and its direction
+    for (int axis = 0; axis < 2; ++axis) {
+        const double low = side(box, axis, -1) - point[axis], high = point[axis] - side(box, axis, 1);
+        out[axis] = std::max(low, high);
+        toward[axis] = low > high ? -1.0 : 1.0;
+    }
+    if (out.x > 0.0 && out.y > 0.0) {
+        const double distance = glm::length(out);
+        away = out / distance * toward;
+        return distance;
+    }
+    const int axis = out.x >= out.y ? 0 : 1;
+    away = Vec3(0.0);
+    away[axis] = toward[axis];
+    return out[axis];
 }
 
 } // namespace phys

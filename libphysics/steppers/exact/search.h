@@ -18,6 +18,11 @@ namespace phys {
 /// are different contacts.
 inline double sameNormal(const Scene &scene) { return 4.0 * (kRounding + scene.tolerance / scene.radius); }
 
+/// Of a box along an axis, m.
+inline double side(const phys_box &box, int axis, int sign) {
+    return sign > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis];
+}
+
 /// Of a face's normal.
 inline int axisOf(const Contact &face) { return face.sides[0] != 0 ? 0 : face.sides[1] != 0 ? 1 : 2; }
 
@@ -288,10 +293,10 @@ double searchParts(const Work &work, const Phase &phase, double from, double unt
     return found;
 }
 
-/// First time in [from, until] at which the ball touches a box and moves towards it; kNever if there is none. length:
-/// of the part of the path that is searched first, m.
-template<class Phase>
-double firstTouch(const Outlook &around, const Phase &phase, double from, double until, double length) {
+/// The earliest of the times find(box, number, begin, end) over the boxes along parts of a path; kNever if there is
+/// none. length: of the part that is searched first, m.
+template<class Phase, class Find>
+double firstAlong(const Outlook &around, const Phase &phase, double from, double until, double length, Find find) {
     const Scene &scene = around.scene;
     const double a = phase.mostAcceleration(), ball = scene.radius * (1.0 + 1e-9) + scene.tolerance;
     const auto search = [&](const Way &start, double begin, double end, double longest) {
@@ -304,13 +309,22 @@ double firstTouch(const Outlook &around, const Phase &phase, double from, double
         }
         double best = kNever;
         visitAlong(scene, stretch, around.work, [&](const phys_box &box, uint32_t number) {
-            if (around.work.isTooMuch() || around.isKept(number, box)) return;
-            around.work.add(Work::kSearch);
-            best = std::min(best, touchTime(around, box, phase, begin, end));
+            if (!around.work.isTooMuch()) best = std::min(best, find(box, number, begin, end));
         });
         return best;
     };
     return searchParts(around.work, phase, from, until, length, search);
+}
+
+/// First time in [from, until] at which the ball touches a box and moves towards it.
+template<class Phase>
+double firstTouch(const Outlook &around, const Phase &phase, double from, double until, double length) {
+    const auto find = [&](const phys_box &box, uint32_t number, double begin, double end) {
+        if (around.isKept(number, box)) return kNever;
+        around.work.add(Work::kSearch);
+        return touchTime(around, box, phase, begin, end);
+    };
+    return firstAlong(around, phase, from, until, length, find);
 }
 
 /// When the feature of a lasting contact ends: the centre crosses a border of its region.
@@ -376,6 +390,43 @@ void cutAtBorder(const Outlook &around, const Contact &contact, const Phase &pha
         border = firstBorder(around, contact, box, phase, border.after, until);
     }
     if (border.after < first.after) first = border;
+}
+
+/// How far a point is from the rectangle that a box is from above, below 0 inside, and the direction away from it.
+double distanceFromAbove(const phys_box &box, const Vec3 &point, Vec3 &away);
+
+/// When the ball gets over a floor in whose upper plane it moves: it touches the floor from then on, but never
+/// approaches it. model.md 8.2.
+template<class Phase>
+void cutAtLevelFloor(const Outlook &around, const Phase &phase, double until, double length, Border &first) {
+    const double R = around.scene.radius, tolerance = around.scene.tolerance;
+    const auto isLevel = [&](const phys_box &box, const Vec3 &centre) {
+        return std::abs(box.max.z + R - centre.z) <= tolerance;
+    };
+    const auto find = [&](const phys_box &box, uint32_t, double begin, double end) {
+        if (!isLevel(box, around.position)) return kNever;
+        around.work.add(Work::kSearch);
+        const auto look = [&](double t) {
+            around.work.add(phase.lookWork());
+            const Way now = phase.at(t);
+            Vec3 away;
+            const double distance = distanceFromAbove(box, around.position + now.way, away);
+            const double rate = glm::dot(away, now.velocity);
+            return Look{distance, rate, phase.least(away, rate, t, end)};
+        };
+        const Look start = look(begin);
+        if (start.value <= tolerance && start.rate <= 0.0) return kNever; // it is over the floor already
+        const double t = firstZero(look, begin, end, 0.25 * tolerance);
+        if (!(t < first.after)) return kNever;
+        const Vec3 centre = around.position + phase.at(t).way;
+        if (!isLevel(box, centre)) return kNever;
+        Vec3 away;
+        distanceFromAbove(box, centre, away);
+        const int axis = std::abs(away.x) >= std::abs(away.y) ? 0 : 1;
+        first = {t, axis, side(box, axis, away[axis] > 0.0 ? 1 : -1), -away[axis], box};
+        return t;
+    };
+    firstAlong(around, phase, 0.0, std::min(until, first.after), length, find);
 }
 
 } // namespace phys

@@ -50,6 +50,8 @@ private slots:
     void restsWithoutGravity();
     void rollsWithoutGravity();
     void spinsInTheAirWithoutGravity();
+    void reachesAFloorThatDoesNotPress_data();
+    void reachesAFloorThatDoesNotPress();
 };
 
 void ExactExtremes::elasticBouncesKeepTheEnergy() {
@@ -453,6 +455,36 @@ void ExactExtremes::spinsInTheAirWithoutGravity() {
     QVERIFY(exact::equal(run.state.spin, {2, -6, -3}));
     QCOMPARE(run.report.lost_slip, 0.0);
     QCOMPARE(run.state.flags, uint64_t(PHYS_AIRBORNE));
+}
+
+void ExactExtremes::reachesAFloorThatDoesNotPress_data() {
+    QTest::addColumn<double>("start");  // m: before the trench
+    QTest::addColumn<double>("drive");  // m/s^2: across the trench
+    QTest::addColumn<double>("before"); // s: on the floor, over the trench, on the floor
+    QTest::addColumn<double>("above");
+    QTest::addColumn<double>("after");
+    QTest::newRow("the one beyond") << 0.01 << 0.0 << 0.1 << 0.3 << 0.6;
+    QTest::newRow("the one that it left") << 0.0096 << -0.7 << 0.16 << 2.0 / 35.0 << 0.2;
+}
+
+/// model.md 8.2: without pressure it gets there without any speed towards it, and goes on with 5/7 of the drive.
+void ExactExtremes::reachesAFloorThatDoesNotPress() {
+    QFETCH(double, start);
+    QFETCH(double, drive);
+    QFETCH(double, before);
+    QFETCH(double, above);
+    QFETCH(double, after);
+    const double rolled = before + after, speed = 5.0 / 7.0 * rolled + above, time = rolled + above;
+    const double early = 0.5 * (5.0 / 7.0) * before * before, over = (5.0 / 7.0 * before + 0.5 * above) * above;
+    const double late = (speed - 0.5 * (5.0 / 7.0) * after) * after;
+    for (const int steps : {1, 3, 1000}) {
+        Run run({{{-1, -1, 0.25}, {0, 1, 0.5}}, {{0.03, -1, 0.25}, {1, 1, 0.5}}}, 0.01, {-start, 0, 0.51}, {0.1, 0, 0});
+        run.params.gravity = {drive, 1, 0};
+        for (int i = 0; i < steps; ++i) run.step(time / steps);
+        QVERIFY(std::abs(run.state.position.y - (early + over + late)) <= 1e-13);
+        QVERIFY(std::abs(run.state.velocity.y - speed) <= 1e-13);
+        QCOMPARE(run.state.flags, uint64_t(0));
+    }
 }
 
 QTEST_GUILESS_MAIN(ExactExtremes)
