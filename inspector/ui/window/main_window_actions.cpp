@@ -371,8 +371,8 @@ void MainWindow::saveRun() {
 
 /// The one that is seen: their docks lie behind each other.
 void MainWindow::savePlot() {
-    const auto isSeen = [](const QWidget *dock) { return !dock->visibleRegion().isEmpty(); };
-    if (isSeen(m_plots)) return saveCurves();
+    const auto isSeen = [](const QWidget *widget) { return !widget->visibleRegion().isEmpty(); };
+    if (isSeen(&m_plots->first())) return saveCurves(); // the stack itself is covered by its plots
     if (isSeen(m_comparison)) return saveDistance();
     if (isSeen(m_trade)) return saveTrade();
     if (isSeen(m_track)) return saveFit();

@@ -8,6 +8,7 @@
 #include "window_fixture.h"
 
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QImage>
 #include <QLineEdit>
@@ -378,6 +379,7 @@ void TestWindowPlot::savePlotSavesWhatIsSeen() {
         QTRY_VERIFY(m_plot->visibleRegion().isEmpty());
         QCOMPARE(suggested(), QString(name));
     }
+    m_fixture->find<QDockWidget>("comparison_dock")->setFloating(true); // beside the curves, both are seen
     m_fixture->press(Qt::Key_3, Qt::ControlModifier);
     QTRY_VERIFY(!m_plot->visibleRegion().isEmpty());
     QCOMPARE(suggested(), QString("plot"));
