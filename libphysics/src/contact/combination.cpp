@@ -208,18 +208,19 @@ void share(Combination &c, double zero) {
             std::array<double, 16> moves{};
             uint32_t count = 1;
             const auto addRoots = [&](uint32_t k, const Vec3 &along) {
-                // |r + s along|^2 = (1 + mu^2) (n.(r + s along))^2
-                const double most = 1.0 + c.held[k].friction * c.held[k].friction;
+                // |r + s along|^2 = (1 + mu^2) N^2 with N = n.(r + s along), which is found: from s rounded by no
+                // more than the forces, it would be lost where much friction needs hardly any N.
+                const double mu = c.held[k].friction;
                 const Vec3 &r = c.judged[k], &n = c.held[k].normal;
                 const double rn = glm::dot(r, n), ln = glm::dot(along, n);
-                const double q2 = squared(along) - most * ln * ln;
-                const double q1 = glm::dot(r, along) - most * rn * ln, q0 = squared(r) - most * rn * rn;
+                const Vec3 perN = (along - ln * n) / ln, unpressed = r - rn * n - rn * perN;
+                const double q2 = squared(perN) - mu * mu, q1 = glm::dot(unpressed, perN), q0 = squared(unpressed);
                 const double discriminant = q1 * q1 - q2 * q0;
                 if (c.held[k].isGlued || discriminant < 0.0) return;
                 // q2 is rounding where the line is parallel to the cone: friction of 1 at perpendicular normals.
                 const double q = -(q1 + std::copysign(std::sqrt(discriminant), q1));
-                if (q2 != 0.0) moves[count++] = q / q2;
-                if (q != 0.0) moves[count++] = q0 / q;
+                if (q2 != 0.0) moves[count++] = (q / q2 - rn) / ln;
+                if (q != 0.0) moves[count++] = (q0 / q - rn) / ln;
             };
             addRoots(i, line);
             addRoots(j, -line);

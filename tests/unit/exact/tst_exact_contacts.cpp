@@ -35,6 +35,7 @@ private slots:
     void aRoofWithoutPressureChangesNoSlip();
     void aWallToWhichTheBallWouldReturnIsntLeft_data();
     void aWallToWhichTheBallWouldReturnIsntLeft();
+    void sticksAtTwoCornersOfWhichOneHardlyPresses();
 };
 
 void ExactContacts::edgeIsHitByAParabola() {
@@ -336,6 +337,28 @@ void ExactContacts::aWallToWhichTheBallWouldReturnIsntLeft() {
     const double rolls = time - R * spin / (2.5 * friction * pressure); // for so long, once the slip has ended
     QVERIFY(std::abs(run.state.position.y - 5.0 / 14.0 * drive * rolls * rolls) <= 1e-12 * R);
     QVERIFY(std::abs(R * run.state.spin.x + 5.0 / 7.0 * drive * rolls) <= 1e-12);
+}
+
+/// model.md 14.1: with the least friction the roof would have to pull; with more of it, which maintains its own
+/// pressure, both press.
+void ExactContacts::sticksAtTwoCornersOfWhichOneHardlyPresses() {
+    Run run({{{0.00044865372904866126, -0.0025893347784924315, -0.01705808868396189},
+              {0.014945741444426367, -0.0013880045394608553, 0.00018002120022359621}},
+             {{-0.032533831675933766, 0.0057303550356284727, 0.0077784912610545515},
+              {0.022074220065037443, 0.01054012913891734, 0.018550457400615374}}},
+            0.006, {0, 0, 0.006}, {0.18898115204952545, -0.0048828818866880428, 0.015732799716525366});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.wall_friction = 1e6;
+    run.params.gravity = {0, 0, -9.81};
+    run.state.spin = {-2.7455191901211546, 43.560526861174729, 46.498544460576113};
+    const phys_vec3 before = run.state.velocity;
+    const double time = 1e-9;
+    run.step(time);
+    // It turns about the line through both points: four equations of sticking contacts, solved for v' and om'.
+    QVERIFY(std::abs((run.state.velocity.x - before.x) / time - 0.579122) <= 1e-5);
+    QVERIFY(std::abs((run.state.velocity.y - before.y) / time - 2.108564) <= 1e-5);
+    QVERIFY(std::abs((run.state.velocity.z - before.z) / time + 6.641280) <= 1e-5);
+    QCOMPARE(run.report.lost_slip, 0.0);
 }
 
 QTEST_GUILESS_MAIN(ExactContacts)
