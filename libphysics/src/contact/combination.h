@@ -32,6 +32,7 @@ struct Combination {
     uint32_t unknowns = 0;
     std::array<Effect, size_t{3} * kMostHeld> effects{}; ///< of the unknowns, while equations are set up and solved
     bool isOtherFound = false;                           ///< another combination fits within rounding already
+    bool searches = false;                               ///< for the direction of a slip that starts, model.md 14.1
     uint32_t spent = 0; ///< bits of contacts whose friction is spent: they may start without an acceleration
 
     uint32_t count() const { return static_cast<uint32_t>(held.size()); }

@@ -2,6 +2,9 @@
 // Directions that depend on the forces they determine: model.md 14.1.
 #include "contact/combination.h"
 
+#include <bit>
+#include <cmath>
+
 namespace phys {
 
 namespace {
@@ -232,6 +235,74 @@ bool settleDirections(Combination &c, const Sought &sought) {
     return false;
 }
 
+/// The direction of one slip that starts, by search: with its rate u', n.(d x u') is zero there. Iteration may miss all
+/// such directions, as where several contacts hold the ball in its place. It takes the one with the smallest sum of N.
+class DirectionSearch {
+public:
+    DirectionSearch(Combination &c, uint32_t starting)
+        : m_c(c)
+        , m_i(starting)
+        , m_along(c.reactions[starting].direction)
+        , m_across(glm::cross(c.held[starting].normal, m_along)) {}
+
+    bool find() {
+        double best = 0.0, least = INFINITY, before = turnAt(0.0);
+        for (int look = 1; look <= 4 * kLooks && !m_c.work.isTooMuch(); ++look) {
+            const double from = (look - 1.0) / kLooks, to = 1.0 * look / kLooks, after = turnAt(to);
+            const bool rises = before < 0.0;
+            before = after;
+            if (rises == (after < 0.0)) continue;
+            const double zero = zeroBetween(from, to, rises);
+            turnAt(zero);
+            if (!(sumOfPressures() < least) || !fits()) continue;
+            least = sumOfPressures();
+            best = zero;
+        }
+        turnAt(best);
+        return least < INFINITY;
+    }
+
+private:
+    static constexpr int kLooks = 16, kHalvings = 52; ///< for a right angle; of the interval between two of them
+
+    Combination &m_c;
+    uint32_t m_i;
+    Vec3 m_along, m_across; ///< directions at the contact
+
+    /// n.(d x u') for the direction that leads through a point of the square whose corners are four directions.
+    double turnAt(double corner) {
+        const double along = std::abs(2.0 - corner) - 1.0;
+        const double across = corner < 3.0 ? 1.0 - std::abs(1.0 - corner) : corner - 4.0;
+        Vec3 &direction = m_c.reactions[m_i].direction;
+        direction = hat(along * m_along + across * m_across);
+        solve(m_c);
+        return glm::dot(m_c.held[m_i].normal, glm::cross(direction, slipRate(m_c, m_i)));
+    }
+
+    double zeroBetween(double low, double high, bool rises) {
+        for (int halving = 0; halving < kHalvings; ++halving) {
+            const double middle = 0.5 * (low + high);
+            ((turnAt(middle) < 0.0) == rises ? low : high) = middle;
+        }
+        return high;
+    }
+
+    double sumOfPressures() const {
+        double sum = 0.0;
+        for (const Reaction &reaction : m_c.list()) sum += reaction.pressure;
+        return sum;
+    }
+
+    /// Not at a pole, where forces are without limit.
+    bool fits() const {
+        const double zero = kRoughly * accelerationScale(m_c.moment);
+        const Vec3 &direction = m_c.reactions[m_i].direction, rate = slipRate(m_c, m_i);
+        const double turning =
+            glm::length(tangential(rate, m_c.held[m_i].normal) - glm::dot(rate, direction) * direction);
+        return turning <= zero && glm::dot(rate, direction) > zero && !pulls(m_c, zero);
+    }
+};
+
 /// The contact at which rolling resistance acts; count() if there is none.
 uint32_t resisted(const Combination &c) {
     uint32_t i = 0;
@@ -257,6 +328,15 @@ bool aimStarts(Combination &c, StuckForces &stuckForces) {
     return true;
 }
 
+/// False unless one slip starts and no contact sticks.
+bool searchStart(Combination &c, const Sought &sought) {
+    if (!std::has_single_bit(sought.starting)) return false;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (c.sticks(i)) return false;
+    }
+    return DirectionSearch(c, static_cast<uint32_t>(std::countr_zero(sought.starting))).find();
+}
+
 } // namespace
 
 bool settle(Combination &c, StuckForces &stuckForces) {
@@ -270,6 +350,7 @@ bool settle(Combination &c, StuckForces &stuckForces) {
     const bool rolls = !isNoSlip(c.moment, c.moment.radius * spin);
     if (rolls) c.rolling = hat(spin);
     if (sought.starting != 0 && !aimStarts(c, stuckForces)) return false;
+    if (c.searches) return searchStart(c, sought);
     bool isSettled = settleDirections(c, sought);
     if (sought.starting == 0) stuckForces.keep(c);
     if (ground == c.count() || rolls) return isSettled;

@@ -145,24 +145,29 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
     std::array<uint32_t, kMostHeld> numbers{};
     Combination c{moment, held, work};
     c.spent = excluded.sticking;
-    do {
-        c.rolling = Vec3(0.0);
-        c.isOtherFound = bestRank == 0;
-        if (!setModes(c, numbers, known, excluded)) continue;
-        const bool isSettled = settle(c, stuckForces);
-        if (!isSettled && bestRank < kFirstRough) continue;
-        if (bestRank == 0 && !isBetter(c, best, scale)) continue;
-        judge(c);
-        const size_t fit = fitOf(c, isSettled, bestRank, scale);
-        if (fit == kNoFit || (fit == bestRank && !isBetter(c, best, scale))) continue;
-        const size_t rank = lasts(c, excluded, known) ? fit : kNoFit + fit;
-        if (rank > bestRank || (rank == bestRank && !isBetter(c, best, scale))) continue;
-        bestRank = rank;
-        best.reactions = c.reactions;
-        best.acceleration = c.acceleration;
-        best.spinAcceleration = c.spinAcceleration;
-        best.rolling = c.isHeld() ? Vec3(0.0) : c.rolling;
-    } while (nextModes(held, known, numbers) && !work.isTooMuch());
+    const auto tryAll = [&] {
+        do {
+            c.rolling = Vec3(0.0);
+            c.isOtherFound = bestRank == 0;
+            if (!setModes(c, numbers, known, excluded)) continue;
+            const bool isSettled = settle(c, stuckForces);
+            if (!isSettled && (bestRank < kFirstRough || c.searches)) continue;
+            if (bestRank == 0 && !isBetter(c, best, scale)) continue;
+            judge(c);
+            const size_t fit = fitOf(c, isSettled, bestRank, scale);
+            if (fit == kNoFit || (fit == bestRank && !isBetter(c, best, scale))) continue;
+            const size_t rank = lasts(c, excluded, known) ? fit : kNoFit + fit;
+            if (rank > bestRank || (rank == bestRank && !isBetter(c, best, scale))) continue;
+            bestRank = rank;
+            best.reactions = c.reactions;
+            best.acceleration = c.acceleration;
+            best.spinAcceleration = c.spinAcceleration;
+            best.rolling = c.isHeld() ? Vec3(0.0) : c.rolling;
+        } while (nextModes(held, known, numbers) && !work.isTooMuch());
+    };
+    tryAll();
+    c.searches = bestRank == kUnranked;
+    if (c.searches && !work.isTooMuch()) tryAll();
     best.isFound = bestRank != kUnranked;
     // A contact that fits doesn't pull, but by rounding, which the phase would take for the moment of its release.
     for (uint32_t i = 0; i < best.count; ++i) {

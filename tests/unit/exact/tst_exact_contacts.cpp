@@ -36,6 +36,8 @@ private slots:
     void aWallToWhichTheBallWouldReturnIsntLeft_data();
     void aWallToWhichTheBallWouldReturnIsntLeft();
     void sticksAtTwoCornersOfWhichOneHardlyPresses();
+    void aHeldBallWhoseSlipStartsTurnsOn_data();
+    void aHeldBallWhoseSlipStartsTurnsOn();
 };
 
 void ExactContacts::edgeIsHitByAParabola() {
@@ -359,6 +361,40 @@ void ExactContacts::sticksAtTwoCornersOfWhichOneHardlyPresses() {
     QVERIFY(std::abs((run.state.velocity.y - before.y) / time - 2.108564) <= 1e-5);
     QVERIFY(std::abs((run.state.velocity.z - before.z) / time + 6.641280) <= 1e-5);
     QCOMPARE(run.report.lost_slip, 0.0);
+}
+
+void ExactContacts::aHeldBallWhoseSlipStartsTurnsOn_data() {
+    QTest::addColumn<int>("steps");
+    QTest::newRow("in one step") << 1;
+    QTest::newRow("in 100 steps") << 100;
+}
+
+/// model.md 14.1: two edges and a wall hold the ball, and one combination of modes fits, in which the slip at the kerb
+/// starts. No jam ends the spin at once.
+void ExactContacts::aHeldBallWhoseSlipStartsTurnsOn() {
+    QFETCH(const int, steps);
+    Run run({{{-0.026720169713161518, 0.0019519229574501381, -0.0030010349016491317},
+              {-0.0056736228961906787, 0.024406534120433612, 0.010334917952161361}},
+             {{0.0025667641069520688, -0.039617414122320033, -0.0086417236548697492},
+              {0.0075202507518533921, 0.012355868167180364, 0.00057674249004691439}},
+             {{0.006, -0.018711614492391754, -0.015351645263014317},
+              {0.025687554074921203, 0.01299438866266563, 0.032076988572600877}}},
+            0.006, {0, 0, 0.006});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.wall_friction = 0.93372959072130401;
+    run.params.gravity = {8.3439554458339966, 9.3356196720347491, -7.3359273029462821};
+    run.state.spin = {-18.423738044856105, 0, 38.927097134695934};
+    double lost = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        run.step(0.0024730968341474899 / steps);
+        lost += run.report.lost_slip;
+    }
+    QVERIFY(exact::equal(run.state.velocity, {}));
+    // What swept converges to.
+    QVERIFY(std::abs(run.state.spin.x + 13.64) <= 0.01);
+    QVERIFY(std::abs(run.state.spin.y - 0.995) <= 0.01);
+    QVERIFY(std::abs(run.state.spin.z - 9.274) <= 0.01);
+    QVERIFY(std::abs(lost - 0.0114) <= 1e-4);
 }
 
 QTEST_GUILESS_MAIN(ExactContacts)
