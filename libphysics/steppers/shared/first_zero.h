@@ -33,6 +33,20 @@ double settled(const Function &look, double t, double until) {
     return s >= 0.0 && s <= until && std::abs(s - t) <= 0x1p-40 * t ? s : t;
 }
 
+/// Time towards the zero from t on, where the value counts as zero already; step: the first one. Of a hop lower than
+/// that, this is all the way down.
+template<class Function>
+double refined(const Function &look, double t, double step, double until, double zero) {
+    constexpr int kMost = 24;
+    for (int i = 0; i < kMost && step > 0x1p-20 * t && t + step < until; ++i) {
+        const Look now = look(t + step);
+        if (!(now.value <= zero && now.rate < 0.0)) break;
+        t += step;
+        step = firstFall(std::max(0.0, now.value), now.rate, now.least);
+    }
+    return t;
+}
+
 /// First time in [from, until] at which f falls through zero; kNever if there is none. look(t) returns a Look. A value
 /// of at most `zero` that falls counts as a zero. Steps are as long as the bound allows; near a zero they become
 /// Newton's.
@@ -44,7 +58,7 @@ double firstZero(const Function &look, double from, double until, double zero) {
         const Look now = look(t);
         const double step = firstFall(std::max(0.0, now.value), now.rate, now.least);
         if (now.value <= zero && now.rate < 0.0) {
-            if (isPolished || t + step == t) return settled(look, t, until);
+            if (isPolished || t + step == t) return settled(look, refined(look, t, step, until, zero), until);
             isPolished = true;
             t = std::min(until, t + step);
             continue;

@@ -38,6 +38,7 @@ private slots:
     void sticksAtTwoCornersOfWhichOneHardlyPresses();
     void aHeldBallWhoseSlipStartsTurnsOn_data();
     void aHeldBallWhoseSlipStartsTurnsOn();
+    void hopsBelowTheToleranceDontDependOnTheStep();
 };
 
 void ExactContacts::edgeIsHitByAParabola() {
@@ -395,6 +396,22 @@ void ExactContacts::aHeldBallWhoseSlipStartsTurnsOn() {
     QVERIFY(std::abs(run.state.spin.y - 0.995) <= 0.01);
     QVERIFY(std::abs(run.state.spin.z - 9.274) <= 0.01);
     QVERIFY(std::abs(lost - 0.0114) <= 1e-4);
+}
+
+/// Between a floor, whose law is another one than that in the air, and a kerb's edge, with 6e-9 R of play.
+void ExactContacts::hopsBelowTheToleranceDontDependOnTheStep() {
+    const double R = 0.006, time = 0.18610626572903211;
+    const auto after = [&](int steps) {
+        Run run({{{-0.36, -0.36, -0.09}, {0.36, 0.36, 0}},
+                 {{-0.36, -0.0086958141191551645, -0.006}, {0.36, -0.0032460401183481216, 0.00095389023361003278}}},
+                R, {0, 0, R});
+        run.params.restitution_wall = run.params.restitution_floor = 0.0;
+        run.params.rolling_friction = 0.0019898986721456464;
+        run.params.gravity = {-2.3640708986119128, -2.8317741122628108, -7.0913149550784027};
+        for (int i = 0; i < steps; ++i) run.step(time / steps);
+        return run.state.position.x;
+    };
+    QVERIFY(std::abs(after(1) - after(100)) <= 1e-9 * R);
 }
 
 QTEST_GUILESS_MAIN(ExactContacts)
