@@ -127,6 +127,19 @@ void settleOnAll(const StepContext &context, const Contacts &contacts, const Las
     if (glm::distance(across, ball.velocity) <= kMostTaken * fastest) ball.velocity = across;
 }
 
+/// Whether contacts of order 1 have normals that turn as the ball goes round an edge or a corner, as those have for
+/// which modes are chosen. Two that stick can't approach each other.
+bool haveTurns(const StepContext &context, const LastingContacts &lasting) {
+    return lasting.isChosen() && !context.isRigid();
+}
+
+/// At the end the ball approaches what it stays on, along the normal of the start.
+void allowTurns(const StepContext &context, const Contacts &contacts, const Vec3 &velocity, double h,
+                LastingContacts &lasting) {
+    for (uint32_t i = 0; i < contacts.count(); ++i)
+        lasting[i].slow -= h * contacts[i].curving(velocity, context.radius());
+}
+
 /// The contacts of a substep of order 1, which changes the motion. Contacts only take energy from it: where the
 /// solution adds some, as several sticking contacts turn the ball to close their gaps, the gaps stay.
 LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, double h, Motion &motion) {
@@ -139,6 +152,7 @@ LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, 
         for (const Contact &contact : contacts)
             lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / time));
         choose(context, contacts, before, h, lasting);
+        if (haveTurns(context, lasting)) allowTurns(context, contacts, before.velocity, h, lasting);
         motion = driven;
         lasting.solve(context.params().rolling_friction, motion);
         return lasting;
@@ -157,7 +171,7 @@ HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, Co
     const Vec3 moving = isExplicit ? mixedVelocity(lasting, before.velocity, motion.velocity) : motion.velocity;
     ball.position += h * moving;
     setMotion(motion, ball);
-    if (kind == ContactRule::Closing) {
+    if (kind == ContactRule::Closing || haveTurns(context, lasting)) {
         settleOnAll(context, contacts, lasting, ball);
         return {lasting, loss};
     }
