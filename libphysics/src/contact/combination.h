@@ -7,6 +7,12 @@
 
 namespace phys {
 
+inline double sumOfPressures(std::span<const Reaction> reactions) {
+    double sum = 0.0;
+    for (const Reaction &reaction : reactions) sum += reaction.pressure;
+    return sum;
+}
+
 /// What a unit of an unknown does to the ball.
 struct Effect {
     Effect() {} // a defaulted one would be cleared
@@ -31,9 +37,9 @@ struct Combination {
     std::array<double, kMostHeld> facing{};
     uint32_t unknowns = 0;
     std::array<Effect, size_t{3} * kMostHeld> effects{}; ///< of the unknowns, while equations are set up and solved
-    bool isOtherFound = false;                           ///< another combination fits within rounding already
-    bool searches = false;                               ///< for the direction of a slip that starts, model.md 14.1
-    uint32_t spent = 0; ///< bits of contacts whose friction is spent: they may start without an acceleration
+    double most = INFINITY; ///< sum of N of another combination that fits within rounding already
+    bool searches = false;  ///< for the direction of a slip that starts, model.md 14.1
+    uint32_t spent = 0;     ///< bits of contacts whose friction is spent: they may start without an acceleration
 
     uint32_t count() const { return static_cast<uint32_t>(held.size()); }
     std::span<const Reaction> list() const { return {reactions.data(), held.size()}; }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kMostStartPasses = 100; // of the iteration for the directions in which slips and rolling start
 constexpr int kMostPulling = 24;      // with a contact that would have to pull: later passes wouldn't fit
+constexpr int kMostOfMore = 24;       // with a larger sum of N than a combination that fits
 constexpr int kMostHopeless = 8;      // the same or with a slip that friction would end, if another combination fits
 constexpr int kMostAlternating = 12;  // between the same two directions, of which each asks for the other
 constexpr int kPlainPasses = 8;       // before mixing begins: the first passes turn the directions the right way
@@ -217,7 +218,7 @@ bool settleDirections(Combination &c, const Sought &sought) {
     if (sought.starting == 0 && sought.rolls == kMostHeld) return true;
     Mixing mixing;
     Alternation alternation;
-    int pullingPasses = 0, hopelessPasses = 0;
+    int pullingPasses = 0, passesOfMore = 0, hopelessPasses = 0;
     const double zero = kRoughly * accelerationScale(c.moment);
     for (int pass = 0; pass < kMostStartPasses && !c.work.isTooMuch(); ++pass) {
         const Aims aims = aimsOf(c, sought);
@@ -226,10 +227,11 @@ bool settleDirections(Combination &c, const Sought &sought) {
         aim(c, sought, isSettled || pass < kPlainPasses ? asked.aims : mixing.mix(aims, asked.aims));
         solve(c);
         if (isSettled) return true;
-        const bool isPulling = pulls(c, zero);
+        const bool isPulling = pulls(c, zero), isMore = sumOfPressures(c.list()) > c.most + zero;
         if (isPulling && ++pullingPasses == kMostPulling) return false;
+        if (isMore && ++passesOfMore == kMostOfMore) return false;
         const bool isHopeless = isPulling || wouldStick(c, sought, asked);
-        if (c.isOtherFound && isHopeless && ++hopelessPasses == kMostHopeless) return false;
+        if (c.most < INFINITY && isHopeless && ++hopelessPasses == kMostHopeless) return false;
         if (alternation.isEndless(aims, asked.aims)) return false;
     }
     return false;
@@ -254,8 +256,9 @@ public:
             if (rises == (after < 0.0)) continue;
             const double zero = zeroBetween(from, to, rises);
             turnAt(zero);
-            if (!(sumOfPressures() < least) || !fits()) continue;
-            least = sumOfPressures();
+            const double sum = sumOfPressures(m_c.list());
+            if (!(sum < least) || !fits()) continue;
+            least = sum;
             best = zero;
         }
         turnAt(best);
@@ -285,12 +288,6 @@ private:
             ((turnAt(middle) < 0.0) == rises ? low : high) = middle;
         }
         return high;
-    }
-
-    double sumOfPressures() const {
-        double sum = 0.0;
-        for (const Reaction &reaction : m_c.list()) sum += reaction.pressure;
-        return sum;
     }
 
     /// Not at a pole, where forces are without limit.

@@ -12,12 +12,6 @@ namespace {
 constexpr double kNoSlip = 64.0 * 0x1p-52; // relative
 constexpr uint32_t kMostPressing = 4;      // contacts with different normals that press, model.md 14.1
 
-double sumOfPressures(std::span<const Reaction> reactions) {
-    double sum = 0.0;
-    for (const Reaction &reaction : reactions) sum += reaction.pressure;
-    return sum;
-}
-
 uint32_t closedContacts(std::span<const Reaction> reactions) {
     uint32_t closed = 0;
     for (const Reaction &reaction : reactions) closed += reaction.mode == Mode::open ? 0U : 1U;
@@ -148,7 +142,7 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
     const auto tryAll = [&] {
         do {
             c.rolling = Vec3(0.0);
-            c.isOtherFound = bestRank == 0;
+            c.most = bestRank == 0 ? sumOfPressures(best.list()) : INFINITY;
             if (!setModes(c, numbers, known, excluded)) continue;
             const bool isSettled = settle(c, stuckForces);
             if (!isSettled && (bestRank < kFirstRough || c.searches)) continue;

@@ -238,6 +238,21 @@ Start rollingRoundALowCorner() {
     return start;
 }
 
+Start inASlotHeldByResistance() {
+    Start start;
+    start.radius = 0.006;
+    start.boxes = {
+        {{-0.24, -0.24, -0.24}, {0.24, 0.24, 0.0}},
+        {{-0.038, 0.006, -0.025}, {0.053, 0.015, 0.046}},
+        {{-0.036, -0.013, -0.0095}, {0.019, -0.006, 0.023}},
+        {{0.00068702426380486614, -0.006, -0.007}, {0.012, -0.00055316684156578343, 6.5187104353202699e-05}}};
+    start.place.z = 0.006;
+    start.gravity = {1.2950033705860839, 3.566147275669898, -9.4960700885430267};
+    start.floor = start.wall = 1e6;
+    start.rolling = 0.70767541748982976;
+    return start;
+}
+
 void TestSeveralSolutions::theLeastPressureIsTaken_data() {
     QTest::addColumn<QByteArray>("stepper");
     QTest::addColumn<int>("which");
@@ -248,8 +263,9 @@ void TestSeveralSolutions::theLeastPressureIsTaken_data() {
                                      "two of three in one plane carry a ball",
                                      "two or three of four carry a ball",
                                      "two of three in one plane hold a ball",
-                                     "a ball that rolls round a low corner stays on the floor"};
-        for (int i = 0; i < 7; ++i) QTest::addRow("%s, %s", stepper.constData(), names[i]) << stepper << i;
+                                     "a ball that rolls round a low corner stays on the floor",
+                                     "resistance holds a ball in a slot beside a corner"};
+        for (int i = 0; i < 8; ++i) QTest::addRow("%s, %s", stepper.constData(), names[i]) << stepper << i;
     }
 }
 
@@ -270,6 +286,7 @@ void TestSeveralSolutions::theLeastPressureIsTaken() {
         {spinningAmongFour(), {0.0, 0.0, 0.0, -9.53, -2.98, -3.16}},
         {heldByTwoOfThreeInOnePlane(), {0.0, 0.817, 0.0, -1.64, 0.0, 0.903}},
         {rollingRoundALowCorner(), {2.683, 2.227, 0.0, -2.227, 2.683, 0.0}},
+        {inASlotHeldByResistance(), {}},
     };
     const Accelerations found = accelerationsOf(stepper, cases[which].start);
     const double off = distance(found, cases[which].wanted);
