@@ -35,14 +35,16 @@ public:
     /// Whether a top face carries the ball.
     bool supports(const Ball &ball) const {
         if (m_endedOnFloor) return true;
-        if (!mayLie(ball)) return false;
-        if (lookAround(ball).carrier) return true;
+        const bool isPulledOff = m_context.params().gravity.z > 0.0;
+        if (!isPulledOff && !mayLie(ball)) return false;
+        if (!isPulledOff && lookAround(ball).carrier) return true;
         // Within rounding beyond its end the face still carries the ball, unless the ball moves on.
         Contacts contacts;
         findContacts(m_context.setting, ball.position, motionOf(ball), Vec3(0.0), contacts);
-        return std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+        const bool isOnTop = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
             return contact.isTop && std::abs(contact.gap) <= m_context.setting.tolerance;
         });
+        return isOnTop && (!isPulledOff || pressesOnTop(contacts, ball));
     }
 
     /// The spin of a ball at the beginning of a step: in the rolling model it follows the velocity where a top face
@@ -320,6 +322,15 @@ private:
             overlaps = overlaps || !isAmong(contacts, number);
         });
         return overlaps;
+    }
+
+    /// Whether contacts press the ball onto a top face, at this moment.
+    bool pressesOnTop(const Contacts &contacts, Ball ball) const {
+        constexpr double kMoment = 1e-6; // of the time of a fall by the radius
+        const Setting &setting = m_context.setting;
+        const double h = kMoment * std::sqrt(m_context.radius() / glm::length(setting.gravity()));
+        Reporter silent;
+        return hold({setting, silent, m_context.work}, contacts, Scheme::kContactRule, h, ball);
     }
 
     /// A substep with all contacts. Returns whether a top face pressed.

@@ -106,6 +106,8 @@ private slots:
     void leavesTheFloorThatGravityPullsItFrom();
     void leavesAWallsTopThatGravityPullsItFrom_data() { addStepperAndModelRows(); }
     void leavesAWallsTopThatGravityPullsItFrom();
+    void isCarriedByAFloorOntoWhichARoofPressesIt_data() { addStepperAndModelRows(); }
+    void isCarriedByAFloorOntoWhichARoofPressesIt();
     void restsInACornerWhateverTheTilt_data() { addStepperAndModelRows(); }
     void restsInACornerWhateverTheTilt();
     void havingRestedChangesNoAnswer_data() { addStepperAndModelRows(); }
@@ -327,6 +329,23 @@ void TestRestingContact::leavesAWallsTopThatGravityPullsItFrom() {
     QVERIFY(ball.state.flags & PHYS_AIRBORNE);
     COMPARE_EXACT(ball.state.velocity.x, 0.5);
     COMPARE_EXACT(ball.state.velocity.z, 0.25);
+}
+
+void TestRestingContact::isCarriedByAFloorOntoWhichARoofPressesIt() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    // The normal of the roof's edge is (0.6, 0, -0.8).
+    const phys_box roof{{-1.0, -1.0, 0.018}, {-0.006, 1.0, 1.0}};
+    const auto scene = SceneBuilder().ball(0.01).floor(-1, -1, 1, 1).box(roof).start({0.0, 0.0, -10.0});
+    Experiment ball(scene, stepper, model);
+    ball.state.position = {0.0, 0.0, 0.01};
+    ball.params.gravity = {-7.0, 3.0, 1.5};
+    QVERIFY2(ball.stepTimes(8, 1e-3), ball.error());
+    QVERIFY(ball.state.velocity.y > 0.0);
+    QVERIFY(!(ball.state.flags & PHYS_AIRBORNE));
+    ball.params.gravity.x = -1.0; // too little to press it down
+    QVERIFY2(ball.stepTimes(8, 1e-3), ball.error());
+    QVERIFY(ball.state.flags & PHYS_AIRBORNE);
 }
 
 void TestRestingContact::restsInACornerWhateverTheTilt() {
