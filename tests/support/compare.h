@@ -16,7 +16,7 @@ inline QByteArray digits(double value) { return QByteArray::number(value, 'g', 1
 /// The same bytes: 0 isn't -0, and a NaN equals itself.
 template<class T>
 bool sameBits(const T &a, const T &b) {
-    return std::memcmp(&a, &b, sizeof(T)) == 0;
+    return std::memcmp(static_cast<const void *>(&a), static_cast<const void *>(&b), sizeof(T)) == 0;
 }
 
 } // namespace support
