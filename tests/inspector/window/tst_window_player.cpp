@@ -71,6 +71,11 @@ private:
     std::array<bool, 4> m_held{};
 };
 
+inspector::ui::GameText shownText(Fixture &fixture) {
+    fixture.window().refresh();
+    return fixture.find<inspector::ui::GameStrip>("game_strip")->text();
+}
+
 } // namespace
 
 class TestWindowPlayer : public QObject {
@@ -81,6 +86,9 @@ public:
 
 private slots:
     void arrowKeysWinLevelOne();
+
+private:
+    static void levelTwoFollows(Fixture &fixture);
 };
 
 // Whatever the ball does while the machine is busy, the keys follow from its current position. Half speed, which any
@@ -90,10 +98,7 @@ void TestWindowPlayer::arrowKeysWinLevelOne() {
     fixture.window().resize(800, 600); // every picture of a board that tilts is drawn anew, by software
     QVERIFY(fixture.isReady());
     fixture.session().setSpeed(0.5);
-    const auto text = [&] {
-        fixture.window().refresh();
-        return fixture.find<inspector::ui::GameStrip>("game_strip")->text();
-    };
+    const auto text = [&] { return shownText(fixture); };
     QCOMPARE(text().line, QString("Press Enter to start"));
     fixture.press(Qt::Key_Return);
     QCOMPARE(fixture.game().phase(), Game::Phase::Playing);
@@ -117,12 +122,15 @@ void TestWindowPlayer::arrowKeysWinLevelOne() {
     QCOMPARE(text().line, "no best time: " + fixture.session().whyNoBestTime());
     QVERIFY(fixture.session().whyNoBestTime().contains("speed"));
     QVERIFY(!fixture.game().bestTime(0));
+    levelTwoFollows(fixture);
+}
 
-    // The next level is there, level and at its start.
+// Its board is level, the ball at its start.
+void TestWindowPlayer::levelTwoFollows(Fixture &fixture) {
     fixture.press(Qt::Key_Return);
     QCOMPARE(fixture.session().level().name, QString("02"));
     QCOMPARE(fixture.window().windowTitle(), QString("Level 2 – Physics inspector"));
-    QTRY_COMPARE(text().title, QString("Level 2"));
+    QTRY_COMPARE(shownText(fixture).title, QString("Level 2"));
     QTRY_COMPARE(fixture.simulation().latest().current.step, 0u);
     QTRY_COMPARE(fixture.simulated("tilt_x"), 0.0);
     QTRY_COMPARE(fixture.simulated("tilt_y"), 0.0);
