@@ -415,7 +415,8 @@ void cutAtLevelFloor(const Outlook &around, const Phase &phase, double until, do
             return Look{distance, rate, phase.least(away, rate, t, end)};
         };
         const Look start = look(begin);
-        if (start.value <= tolerance && start.rate <= 0.0) return kNever; // it is over the floor already
+        const bool isOver = start.value < -tolerance || (start.value <= tolerance && start.rate <= 0.0);
+        if (isOver) return kNever; // a falling distance to the nearest side is no arrival there
         const double t = firstZero(look, begin, end, 0.25 * tolerance);
         if (!(t < first.after)) return kNever;
         const Vec3 centre = around.position + phase.at(t).way;
