@@ -8,8 +8,6 @@ namespace phys {
 
 namespace {
 
-bool isContinuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
-
 /// Length of a character, by its first byte.
 size_t bytesOf(char first) {
     const auto byte = static_cast<unsigned char>(first);
@@ -17,6 +15,8 @@ size_t bytesOf(char first) {
 }
 
 } // namespace
+
+bool isContinuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
 
 Character firstCharacter(std::string_view text) {
     constexpr Character kNone{0, 0};

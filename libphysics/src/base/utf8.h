@@ -13,6 +13,8 @@ struct Character {
     uint32_t code; ///< undefined for 0 bytes
 };
 
+/// Whether the byte belongs to a character that began before it.
+bool isContinuation(char byte);
 /// The first character of a text that isn't empty.
 Character firstCharacter(std::string_view text);
 /// Whether nobody sees it: blanks but for the usual one, ends of lines, directions, joiners, byte order marks.

@@ -34,7 +34,7 @@ bool isLowerOrDigit(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <=
 /// Checks one plugin. Every check ends in `refuse` or PHYS_OK; m_where names the part that is being checked.
 class PluginCheck {
 public:
-    PluginCheck(const phys_plugin &plugin, const char *file, const phys_registry &registry, phys_error *err)
+    PluginCheck(const phys_plugin &plugin, const std::string &file, const phys_registry &registry, phys_error *err)
         : m_plugin(plugin)
         , m_file(file)
         , m_registry(registry)
@@ -68,7 +68,7 @@ private:
         va_start(arguments, format);
         writeTextOf(reason, sizeof reason, format, arguments);
         va_end(arguments);
-        return fail(m_err, PHYS_ERROR_PLUGIN_REFUSED, "%s: %s%s", m_file, m_where.c_str(), reason);
+        return failIn(m_err, PHYS_ERROR_PLUGIN_REFUSED, m_file, ": %s%s", m_where.c_str(), reason);
     }
 
     /// A longer table belongs to a later version, whose additional members would be ignored.
@@ -273,7 +273,7 @@ private:
     }
 
     const phys_plugin &m_plugin;
-    const char *m_file;
+    const std::string &m_file;
     const phys_registry &m_registry;
     phys_error *m_err;
     std::string m_where;
@@ -281,7 +281,8 @@ private:
 
 } // namespace
 
-phys_status checkPlugin(const phys_plugin &plugin, const char *file, const phys_registry &registry, phys_error *err) {
+phys_status checkPlugin(const phys_plugin &plugin, const std::string &file, const phys_registry &registry,
+                        phys_error *err) {
     return PluginCheck(plugin, file, registry, err).run();
 }
 

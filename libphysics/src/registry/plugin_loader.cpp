@@ -16,12 +16,6 @@ namespace {
 
 constexpr const char *kSearchVariable = "PHYS_PLUGIN_PATH";
 constexpr const char *kFolderBesideLibrary = "physics-1"; // 1: PHYS_ABI_VERSION
-constexpr size_t kShownPath = 64;                         // bytes; leaves most of a message for the reason
-
-/// The end of a long path, which distinguishes files best.
-std::string shown(const std::string &path) {
-    return path.size() <= kShownPath ? path : "..." + path.substr(path.size() - kShownPath);
-}
 
 /// The plugins' names in a folder, sorted. False if the folder can't be read.
 bool listPlugins(const std::string &folder, std::vector<std::string> &names) {
@@ -42,29 +36,25 @@ void add(phys_registry &registry, const phys_plugin &plugin, const std::string &
 
 phys_status loadFile(phys_registry &registry, const std::string &path, phys_error *err) {
     if (path.empty()) return fail(err, PHYS_ERROR_FILE, "path is empty; expected a file's name");
-    const std::string name = shown(path);
     const auto isItsFile = [&](const PluginStepper &stepper) { return *stepper.file == path; };
     if (std::ranges::any_of(registry.plugins, isItsFile))
-        return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: is loaded already", name.c_str());
-    if (const phys_status status = checkSharedObjectFile(path, name.c_str(), err)) return status;
+        return failIn(err, PHYS_ERROR_PLUGIN_REFUSED, path, ": is loaded already");
+    if (const phys_status status = checkSharedObjectFile(path, err)) return status;
     system::SharedObject object(path);
     if (!object.isOpen()) {
-        return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected a shared object that loads; found: %s", name.c_str(),
-                    object.reason().c_str());
+        return failIn(err, PHYS_ERROR_PLUGIN_REFUSED, path, ": expected a shared object that loads; found: %s",
+                      object.reason().c_str());
     }
     const auto *plugin = static_cast<const phys_plugin *>(object.symbol("phys_plugin_entry"));
     if (!plugin) {
-        return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected the symbol phys_plugin_entry; found none",
-                    name.c_str());
+        return failIn(err, PHYS_ERROR_PLUGIN_REFUSED, path, ": expected the symbol phys_plugin_entry; found none");
     }
     if (isOfDeletedFile(plugin)) {
-        return fail(
-            err, PHYS_ERROR_PLUGIN_REFUSED,
-            "%s: this process has loaded an older file of this name and keeps its code; give the new one another "
-            "name, or load it in another process",
-            name.c_str());
+        return failIn(err, PHYS_ERROR_PLUGIN_REFUSED, path,
+                      ": this process has loaded an older file of this name and keeps its code; give the new one "
+                      "another name, or load it in another process");
     }
-    if (const phys_status status = checkPlugin(*plugin, name.c_str(), registry, err)) return status;
+    if (const phys_status status = checkPlugin(*plugin, path, registry, err)) return status;
     add(registry, *plugin, path);
     object.keep(); // its texts and code are in use from now on
     return PHYS_OK;
@@ -108,8 +98,7 @@ struct Scan {
             begin = end + 1;
             if (folder.empty() || loadFolder(folder)) continue;
             phys_error error{};
-            fail(&error, PHYS_ERROR_FILE, "%s: a folder of %s that can't be read", shown(folder).c_str(),
-                 kSearchVariable);
+            failIn(&error, PHYS_ERROR_FILE, folder, ": a folder of %s that can't be read", kSearchVariable);
             tell(folder, error.status, error.text);
         }
     }
@@ -119,7 +108,7 @@ phys_status scan(const Scan &scan, const char *folder, phys_error *err) {
     if (folder) {
         if (!*folder) return fail(err, PHYS_ERROR_FILE, "folder is empty; expected a folder's name");
         if (scan.loadFolder(folder)) return PHYS_OK;
-        return fail(err, PHYS_ERROR_FILE, "%s: expected a folder that can be read", shown(folder).c_str());
+        return failIn(err, PHYS_ERROR_FILE, folder, ": expected a folder that can be read");
     }
     scan.loadSearchPath(system::environmentVariable(kSearchVariable));
     const std::string own = system::ownFolder();

@@ -24,18 +24,18 @@ bool readAt(std::FILE *file, uint64_t offset, void *out, size_t size) {
     return std::fseek(file, static_cast<long>(offset), SEEK_SET) == 0 && std::fread(out, 1, size, file) == size;
 }
 
-phys_status refuseShort(const char *name, uint64_t expected, uint64_t size, phys_error *err) {
-    return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected %llu bytes as its headers say; found %llu", name,
-                static_cast<unsigned long long>(expected), static_cast<unsigned long long>(size));
+phys_status refuseShort(const std::string &path, uint64_t expected, uint64_t size, phys_error *err) {
+    return failIn(err, PHYS_ERROR_PLUGIN_REFUSED, path, ": expected %llu bytes as its headers say; found %llu",
+                  static_cast<unsigned long long>(expected), static_cast<unsigned long long>(size));
 }
 
 /// A file that isn't ELF is left to the system's loader, which reports it.
-phys_status checkSegments(const std::string &path, const char *name, phys_error *err) {
+phys_status checkSegments(const std::string &path, phys_error *err) {
     const File file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) return PHYS_OK;
     const long end = std::fseek(file.get(), 0, SEEK_END) == 0 ? std::ftell(file.get()) : 0;
     if (end <= 0) { // includes files that the system generates, on which the loader would block
-        return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected a shared object; found a file of size 0", name);
+        return failIn(err, PHYS_ERROR_PLUGIN_REFUSED, path, ": expected a shared object; found a file of size 0");
     }
     const auto size = static_cast<uint64_t>(end);
     ElfW(Ehdr) header;
@@ -45,10 +45,10 @@ phys_status checkSegments(const std::string &path, const char *name, phys_error 
         ElfW(Phdr) segment;
         const uint64_t offset = header.e_phoff + i * sizeof segment;
         if (offset > size || !readAt(file.get(), offset, &segment, sizeof segment)) {
-            return refuseShort(name, offset + sizeof segment, size, err);
+            return refuseShort(path, offset + sizeof segment, size, err);
         }
         const bool fits = segment.p_filesz <= size && segment.p_offset <= size - segment.p_filesz;
-        if (!fits) return refuseShort(name, segment.p_offset + segment.p_filesz, size, err);
+        if (!fits) return refuseShort(path, segment.p_offset + segment.p_filesz, size, err);
     }
     return PHYS_OK;
 }
@@ -62,16 +62,16 @@ bool isDeletedAt(const char *line, uintptr_t address) {
 
 #else
 
-phys_status checkSegments(const std::string &, const char *, phys_error *) { return PHYS_OK; }
+phys_status checkSegments(const std::string &, phys_error *) { return PHYS_OK; }
 
 #endif
 
 } // namespace
 
-phys_status checkSharedObjectFile(const std::string &path, const char *name, phys_error *err) {
+phys_status checkSharedObjectFile(const std::string &path, phys_error *err) {
     const std::string reason = system::whyNoFile(path);
-    if (!reason.empty()) return fail(err, PHYS_ERROR_FILE, "%s: %s", name, reason.c_str());
-    return checkSegments(path, name, err);
+    if (!reason.empty()) return failIn(err, PHYS_ERROR_FILE, path, ": %s", reason.c_str());
+    return checkSegments(path, err);
 }
 
 bool isOfDeletedFile([[maybe_unused]] const void *address) {

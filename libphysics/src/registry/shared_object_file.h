@@ -10,8 +10,8 @@
 namespace phys {
 
 /// Checks that `path` is a regular file and, where shared objects are ELF files, that it contains all parts that its
-/// headers list. name: used in messages.
-phys_status checkSharedObjectFile(const std::string &path, const char *name, phys_error *err);
+/// headers list.
+phys_status checkSharedObjectFile(const std::string &path, phys_error *err);
 
 /// Whether the code or data at `address` comes from a file that has been deleted or replaced since it was loaded: the
 /// system's loader knows shared objects by their names, and gives the old one for a new file.

@@ -19,8 +19,8 @@ constexpr size_t kMostBytes = 268'435'456;
 /// Reads one file; keeps its position and the results so far.
 class Reader {
 public:
-    Reader(const char *path, phys_error *err)
-        : m_path(path)
+    Reader(const char *name, phys_error *err)
+        : m_name(name)
         , m_err(err) {}
 
     phys_status read(std::string_view text) {
@@ -43,22 +43,22 @@ public:
         phys_scene_desc desc{sizeof desc, static_cast<uint32_t>(m_boxes.size()), m_boxes.data(), m_radius, m_start};
         phys_error reason{};
         const phys_status status = phys::makeScene(desc, out, &reason);
-        return status ? fail(m_err, status, "%s: %s", m_path, reason.text) : PHYS_OK;
+        return status ? failIn(m_err, status, m_name, ": %s", reason.text) : PHYS_OK;
     }
 
 private:
     [[PHYS_CHECKED_FORMAT(2, 3)]] phys_status refuse(const char *format, ...) const {
-        char text[180];
+        char text[sizeof phys_error::text];
         va_list arguments;
         va_start(arguments, format);
         writeTextOf(text, sizeof text, format, arguments);
         va_end(arguments);
-        return fail(m_err, PHYS_ERROR_SYNTAX, "%s:%u: %s", m_path, m_line, text);
+        return failIn(m_err, PHYS_ERROR_SYNTAX, m_name, ":%u: %s", m_line, text);
     }
 
     /// What is wrong with the numbers of a line.
     phys_status passOn(phys_status status, const phys_error &reason) const {
-        return status ? fail(m_err, status, "%s:%u: %s", m_path, m_line, reason.text) : PHYS_OK;
+        return status ? failIn(m_err, status, m_name, ":%u: %s", m_line, reason.text) : PHYS_OK;
     }
 
     static std::string_view withoutEnd(std::string_view line) {
@@ -164,7 +164,7 @@ private:
     /// Largest length of a word in a message.
     static int shown(std::string_view word) { return static_cast<int>(std::min<size_t>(word.size(), 40)); }
 
-    const char *m_path;
+    const char *m_name; ///< of the file, for messages
     phys_error *m_err;
     uint32_t m_line = 0;
     bool m_isMaze = false, m_hasUnits = false, m_hasBall = false, m_hasStart = false;
@@ -176,7 +176,7 @@ private:
 /// The whole file, or why it can't be read.
 phys_status readFile(const char *path, std::string &out, phys_error *err) {
     const std::string reason = system::readFile(path, kMostBytes, out);
-    return reason.empty() ? PHYS_OK : fail(err, PHYS_ERROR_FILE, "%s: %s", path, reason.c_str());
+    return reason.empty() ? PHYS_OK : failIn(err, PHYS_ERROR_FILE, path, ": %s", reason.c_str());
 }
 
 } // namespace

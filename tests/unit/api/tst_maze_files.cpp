@@ -52,6 +52,8 @@ private slots:
     void whatTheSystemMakesUpIsAnEmptyFile();
     void textInMemoryGivesTheSceneOfTheFile();
     void wrongTextInMemoryIsRefusedByName();
+    void longNameLeavesRoomForTheReason_data();
+    void longNameLeavesRoomForTheReason();
     void binaryRubbishIsRefused();
     void everyLevelLoads_data();
     void everyLevelLoads();
@@ -279,6 +281,27 @@ void TestMazeFiles::wrongTextInMemoryIsRefusedByName() {
     QCOMPARE(phys_scene_parse(nullptr, 0, nullptr, &scene, &error), PHYS_ERROR_SYNTAX);
     QVERIFY(QByteArray(error.text).startsWith("text:"));
     QVERIFY(!scene);
+}
+
+void TestMazeFiles::longNameLeavesRoomForTheReason_data() {
+    QTest::addColumn<QByteArray>("name");
+    QTest::newRow("plain") << QByteArray(5000, 'a') + ".txt";
+    QTest::newRow("just too long") << QByteArray(205, 'a') + ".txt";
+    for (int bytes = 0; bytes < 4; ++bytes) // so that the cut falls on each byte of a character
+        QTest::addRow("of 4 bytes, +%d", bytes) << QByteArray("𝄞").repeated(100) + QByteArray(bytes, 'a') + ".txt";
+    QTest::newRow("invisible") << QByteArray(300, '\x1b') + ".txt";
+}
+
+void TestMazeFiles::longNameLeavesRoomForTheReason() {
+    QFETCH(QByteArray, name);
+    phys_scene *scene = nullptr;
+    phys_error error{};
+    const QByteArray wrong = withLine(4, "ball big");
+    QCOMPARE(phys_scene_parse(wrong.constData(), wrong.size(), name.constData(), &scene, &error), PHYS_ERROR_SYNTAX);
+    const QByteArray text = error.text;
+    QVERIFY2(text.startsWith("...") && text.endsWith(".txt:4: ball: expected a number in m, found 'big'"), error.text);
+    QVERIFY(text.size() >= qsizetype(sizeof error.text) - 5); // no room is wasted, but for part of a character
+    QCOMPARE(QString::fromUtf8(text).toUtf8(), text);
 }
 
 void TestMazeFiles::binaryRubbishIsRefused() {
