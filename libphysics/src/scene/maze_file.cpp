@@ -24,14 +24,15 @@ public:
         , m_err(err) {}
 
     phys_status read(std::string_view text) {
+        if (const char *mark = markBefore(text)) return refuse("expected 'physics-maze 1', found %s", mark);
         const char *content = text.empty() ? "a file of size 0" : "no more than comments";
-        do { // an empty text is an empty line
-            ++m_line;
+        for (;; ++m_line) { // an empty text is an empty line
             const size_t end = text.find('\n');
             const size_t size = end == std::string_view::npos ? text.size() : end + 1;
             if (const phys_status status = readLine(withoutEnd(text.substr(0, size)))) return status;
+            if (size == text.size()) break;
             text.remove_prefix(size);
-        } while (!text.empty());
+        }
         if (!m_isMaze) return refuse("expected 'physics-maze 1' as the first line, found %s", content);
         if (!m_hasUnits) return refuse("'units m' is missing");
         if (!m_hasBall) return refuse("'ball RADIUS' is missing");
@@ -61,6 +62,13 @@ private:
         return status ? failIn(m_err, status, m_name, ":%u: %s", m_line, reason.text) : PHYS_OK;
     }
 
+    /// The byte order mark that some editors put before a text; nullptr if there is none.
+    static const char *markBefore(std::string_view text) {
+        if (text.starts_with("\xef\xbb\xbf")) return "a byte order mark (BOM) before it; save the file without";
+        const bool isUtf16 = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+        return isUtf16 ? "UTF-16; save the file as UTF-8" : nullptr;
+    }
+
     static std::string_view withoutEnd(std::string_view line) {
         if (line.ends_with("\r\n")) return line.substr(0, line.size() - 2);
         return line.ends_with('\n') ? line.substr(0, line.size() - 1) : line;
@@ -83,9 +91,6 @@ private:
 
     phys_status readVersion(std::string_view key, std::string_view line) {
         const std::string_view version = nextWord(line);
-        if (key.starts_with("\xef\xbb\xbf")) {
-            return refuse("expected 'physics-maze 1', found a byte order mark (BOM) before it; save the file without");
-        }
         if (key != "physics-maze") {
             return refuse("expected 'physics-maze 1', found '%.*s'", shown(key), key.data());
         }
@@ -166,7 +171,7 @@ private:
 
     const char *m_name; ///< of the file, for messages
     phys_error *m_err;
-    uint32_t m_line = 0;
+    uint32_t m_line = 1;
     bool m_isMaze = false, m_hasUnits = false, m_hasBall = false, m_hasStart = false;
     double m_radius = 0.0;
     phys_vec3 m_start{};

@@ -141,6 +141,9 @@ void TestMazeReader::wrongFilesAreRefusedWithFileAndLine_data() {
     add("no radius", "physics-maze 1\nball\n", ":2: ball: expected 1 number in m, found 0");
     add("byte order mark", "\xef\xbb\xbfphysics-maze 1\n",
         ":1: expected 'physics-maze 1', found a byte order mark (BOM) before it; save the file without");
+    for (const auto &[tag, text] : {std::pair("UTF-16", QByteArray("\xff\xfep\0h\0\r\0\n\0", 10)),
+                                    std::pair("UTF-16, big-endian", QByteArray("\xfe\xff\0p\0h\0\r\0\n", 10))})
+        add(tag, text, ":1: expected 'physics-maze 1', found UTF-16; save the file as UTF-8");
     add("NUL", QByteArray("physics-maze 1\nunits\0 m\n", 24),
         ":2: expected units, generator, ball, start or box, found 'units\\x00'");
     add("blank of another kind", "physics-maze 1\nball\u00a00.006\n",
