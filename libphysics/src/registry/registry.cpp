@@ -90,11 +90,14 @@ phys_status phys_registry_find(const phys_registry *registry, const char *id, ph
 
 phys_status phys_stepper_info_init_params(const phys_stepper_info *info, phys_params *params) {
     if (!info || !params || !phys::isKnownSize<phys_params>(params->struct_size)) return PHYS_ERROR_ARGUMENT;
-    std::memset(params->stepper, 0, sizeof params->stepper);
+    phys_params filled{};
+    std::memcpy(&filled, params, params->struct_size);
+    std::memset(filled.stepper, 0, sizeof filled.stepper);
     for (uint32_t i = 0; i < info->row_count; ++i) {
-        if (const phys_status status = phys_param_set(params, info->rows[i], info->rows[i]->initial, nullptr)) {
+        if (const phys_status status = phys_param_set(&filled, info->rows[i], info->rows[i]->initial, nullptr)) {
             return status;
         }
     }
+    phys::store(filled, params->struct_size, params);
     return PHYS_OK;
 }

@@ -66,6 +66,7 @@ private slots:
     void ownRowsBecomeInitialAndTheRestZero_data() { addStepperRows(); }
     void ownRowsBecomeInitialAndTheRestZero();
     void levelBoardHasGravityStraightDown();
+    void refusedInitialValueLeavesParamsAlone();
     void tiltKeepsGravitysStrength();
     void tiltIsTheSlopeAlongItsAxis();
     void manyTiltsGiveTheBitsOfEach();
@@ -201,6 +202,21 @@ void TestParameterRows::ownRowsBecomeInitialAndTheRestZero() {
         QCOMPARE(phys_param_set(&expected, info.rows[i], info.rows[i]->initial, nullptr), PHYS_OK);
     }
     QVERIFY(sameBits(params, expected));
+}
+
+void TestParameterRows::refusedInitialValueLeavesParamsAlone() {
+    phys_param_row row = *phys_param_rows(nullptr);
+    row.offset = offsetof(phys_params, stepper);
+    row.initial = row.max + 1.0;
+    const phys_param_row *rows[] = {&row};
+    phys_stepper_info info{};
+    info.rows = rows;
+    info.row_count = 1;
+    phys_params params = initialParams();
+    for (double &value : params.stepper) value = 7.0;
+    const phys_params before = params;
+    QCOMPARE(phys_stepper_info_init_params(&info, &params), PHYS_ERROR_RANGE);
+    QVERIFY(sameBits(params, before));
 }
 
 void TestParameterRows::levelBoardHasGravityStraightDown() {
