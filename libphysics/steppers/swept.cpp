@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Moves to the first impact inside the step, reflects, and continues with the rest: second order across impacts as
 // well, and no tunnelling at any speed.
+#include "base/text.h"
 #include "discrete/schemes.h"
 #include "discrete/stepper.h"
 #include "discrete/swept_step.h"
 #include "registry/built_in_steppers.h"
 
 #include <algorithm>
+#include <bit>
 #include <iterator>
 
 namespace phys {
@@ -25,6 +27,8 @@ phys_status requirementsOfSwept(void *self, const phys_params *params, double dt
                                 phys_requirements *out, phys_error *) {
     const PlanInput input{static_cast<KnownPlaces *>(self)->scene(), *params, dt, *state};
     describePlan(input, planSweep(input), *out);
+    char(&substeps)[120] = out->reasons[std::countr_zero(static_cast<uint32_t>(PHYS_STAGE_SUBSTEPS))];
+    writeText(substeps, sizeof substeps, "always: the way of the whole step is searched for impacts");
     return PHYS_OK;
 }
 
