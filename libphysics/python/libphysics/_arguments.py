@@ -30,17 +30,17 @@ def whole(value: Any, name: str, least: int, most: int) -> int:
     return number
 
 
-def numbers(value: Any, name: str) -> NDArray[Any]:
-    """An array of doubles. Texts, None, complex numbers and records are no numbers."""
-    array = _array(value, name, "numbers")
+def numbers(value: Any, name: str, expected: str = "numbers") -> NDArray[Any]:
+    """An array of doubles. Texts, None, complex numbers and records are no numbers. expected: for the message."""
+    array = _array(value, name, expected)
     if array.dtype.kind not in "buifO":
-        raise TypeError(f"{name} is {short(value)}; expected numbers")
+        raise TypeError(f"{name} is {short(value)}; expected {expected}")
     try:
         if array.dtype.kind == "O":  # integers beyond 64 bits, fractions: as float() takes them, which refuses None
             return np.array([_real(one) for one in array.ravel()], "f8").reshape(array.shape)
         return np.asarray(array, "f8")
     except (TypeError, ValueError, OverflowError):
-        raise TypeError(f"{name} is {short(value)}; expected numbers") from None
+        raise TypeError(f"{name} is {short(value)}; expected {expected}") from None
 
 
 def _array(value: Any, name: str, expected: str) -> NDArray[Any]:
@@ -62,7 +62,7 @@ def number(value: Any, name: str) -> float:
     """One double."""
     if type(value) is float:
         return value
-    array = numbers(value, name)
+    array = numbers(value, name, "a number")
     if array.size != 1:
         raise TypeError(f"{name} has the shape {array.shape}; expected one number")
     return float(array.item())

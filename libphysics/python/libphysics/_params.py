@@ -14,7 +14,7 @@ from ._arguments import common_shape, laid_out, new_array, numbers
 from ._library import Error, ParamRow, address, check, expect, lib, library_rows
 from ._records import params_dtype
 
-_CHOICE = 1
+_CHOICE, _SWITCH = 1, 8  # flags of rows
 _OPTIONS = {"orientation": 1, "all_stages": 2}
 
 
@@ -87,7 +87,7 @@ class Params:
         object.__setattr__(self, "_rows", _rows_of_library() | _by_name(own_rows or []))
         for name in values.keys() - set(self.names()):
             raise TypeError(self._unknown(name))
-        given = {name: numbers(value, name) for name, value in values.items()}
+        given = {name: self._numbers(value, name) for name, value in values.items()}
         shape = common_shape(**{name: value.shape[:-1] if name == "gravity" else value.shape for name, value in given.items()})
         first = np.zeros((), params_dtype)
         check(lib.phys_params_init(address(first), params_dtype.itemsize))
@@ -134,7 +134,7 @@ class Params:
     def __setattr__(self, name: str, value: Any) -> None:
         if name != "gravity" and name not in _OPTIONS and name not in self._rows:
             raise AttributeError(self._unknown(name))
-        value = numbers(value, name)
+        value = self._numbers(value, name)
         if name in _OPTIONS:
             bit = np.uint32(_OPTIONS[name])
             if not np.isin(value, (0, 1)).all():
@@ -151,10 +151,15 @@ class Params:
             self._check(row, value)
             _assign(self._view(row), value, name)
 
+    def _numbers(self, value: Any, name: str) -> NDArray[Any]:
+        row = self._rows.get(name)
+        choices = row.choices.decode().split("\n") if row and row.flags & _CHOICE else []
+        return numbers(value, name, " or ".join(f"{n} ({choice})" for n, choice in enumerate(choices)) or "numbers")
+
     def _check(self, row: Row, values: NDArray[Any]) -> None:
         """Asks the library about the values that are least likely to pass: each that isn't within the range."""
         whole = values == np.floor(values)
-        outside = values[~((values >= row.min) & (values <= row.max) & (whole | (row.flags & 9 == 0)))]
+        outside = values[~((values >= row.min) & (values <= row.max) & (whole | (row.flags & (_CHOICE | _SWITCH) == 0)))]
         if outside.size:
             scratch, error = np.array(self.record.ravel()[:1]), Error()
             check(lib.phys_param_set(address(scratch), byref(ParamRow(*row)), float(outside.flat[0]), byref(error)), error)

@@ -37,7 +37,7 @@ class Scene(Owner):
             self._handle = Handle(lib.phys_scene_load, lib.phys_scene_destroy, path_of(path, "path"))
         elif text is not None:
             if not isinstance(text, (str, bytes)):
-                raise TypeError(f"text is a {type(text).__name__}; expected str or bytes")
+                raise TypeError(f"text has the type {type(text).__name__}; expected str or bytes")
             data = text.encode() if isinstance(text, str) else text
             self._handle = Handle(lib.phys_scene_parse, lib.phys_scene_destroy, data, len(data), None)
         else:

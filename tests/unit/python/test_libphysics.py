@@ -482,7 +482,7 @@ class ArgumentTest(unittest.TestCase):
                 "restitution_wall": lambda x: self.stepper.params(restitution_wall=x)}
         for name, use in uses.items():
             for value in ("0.25", b"1", 1j, np.array(1j), object(), 10**400, np.zeros((), lp.state_dtype)):
-                with self.assertRaisesRegex(TypeError, "; expected numbers", msg=f"{name}={value!r}"):
+                with self.assertRaisesRegex(TypeError, "; expected (a number|numbers)$", msg=f"{name}={value!r}"):
                     use(value)
             for value in (0.25, 1, True, np.float32(0.25), np.array(0.25), Fraction(1, 4), np.array([0.25], ">f8")[0]):
                 use(value)
