@@ -127,13 +127,13 @@ typedef struct phys_box {
 
 /** The gravity vector (m/s^2, board frame) of a board tilted by two angles.
  *  tilt_x, tilt_y: rad, each between the doubles nearest to -pi/2 and pi/2, without these: the slope along x and along
- *  y; positive makes the ball roll towards +x and +y. strength: m/s^2, 0 .. 2^100. With s = (tan tilt_x, tan tilt_y,
- * -1) the result is strength * s / |s|. Any thread. Fails with PHYS_ERROR_ARGUMENT for anything else. Since 1.0. */
+ *  y; positive makes the ball roll towards +x and +y. strength: m/s^2, 0 .. 2^100. The result is strength * s / |s|
+ *  with s = (tan tilt_x, tan tilt_y, -1). Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength, phys_vec3 *out);
 
 /** The same for `count` boards, as a batch wants it: out[i] (m/s^2) of tilts_x[i], tilts_y[i] (rad) and strengths[i]
- *  (m/s^2). Any thread. Fails with PHYS_ERROR_ARGUMENT where phys_gravity_from_tilt would for one of them, and then
- *  writes nothing; arrays may be NULL if count is 0. `out` must overlap none of the others. Since 1.1. */
+ *  (m/s^2). Arrays may be NULL if count is 0. `out` must overlap none of the others. Any thread.
+ *  Errors: ARGUMENT, where phys_gravity_from_tilt would fail for one of them. Since 1.1. */
 PHYS_API phys_status phys_gravities_from_tilts(uint64_t count, const double *tilts_x, const double *tilts_y,
                                                const double *strengths, phys_vec3 *out);
 
@@ -190,8 +190,8 @@ PHYS_API phys_status phys_scene_bounds(const phys_scene *scene, phys_box *out);
 
 /** Whether each box that reaches above the floor, and begins below the top of a ball on it, spans the height of the
  *  ball's centre: then none can lift or press down a ball that the floor carries (model.md 0). Boxes count wherever
- * they are, gaps, steps and edges of the floor don't. PHYS_OK if so. Any thread. Errors: ARGUMENT; UNSUPPORTED with the
- * box and the reason if it isn't. Since 1.0. */
+ *  they are; gaps, steps and edges of the floor don't. PHYS_OK if so. Any thread. Errors: ARGUMENT; UNSUPPORTED with
+ *  the box and the reason if it isn't. Since 1.0. */
 PHYS_API phys_status phys_scene_check_planar(const phys_scene *scene, phys_error *err);
 
 /** Kinds of feature of a box that the ball touches. */
