@@ -25,7 +25,7 @@ Registry makeRegistry(QString *error) {
 Scene loadScene(const QString &path, QString *error) {
     phys_scene *scene = nullptr;
     phys_error failure;
-    // Read here, because the library would block on a pipe or read a device for ever.
+    // As every other file of the inspector: never blocks, and says what was found in place of a file.
     const std::optional<QByteArray> text = readFile(path, kLargestMaze, error);
     if (!text) return {};
     const QByteArray name = encodePath(path);
