@@ -81,7 +81,10 @@ const void *extensionOfExact(void *, const char *id) {
     static constexpr LaneSteps kSteps{
         [](void *, const phys_params &, double, Lanes &) {},
         [](void *, const phys_params &, const phys_state &, Lanes &, uint32_t) { return false; },
-        [](Lanes &) { return 0U; }, stepUndisturbed, [](const phys_params &, const Lanes &, uint32_t, phys_state &) {}};
+        [](Lanes &) { return 0U; },
+        [](void *, const phys_params &, double) {},
+        stepUndisturbed,
+        [](const phys_params &, const Lanes &, uint32_t, phys_state &) {}};
     return std::strcmp(id, kLanesId) == 0 ? &kSteps : nullptr;
 }
 

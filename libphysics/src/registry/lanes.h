@@ -49,7 +49,9 @@ struct LaneSteps {
     bool (*enter)(void *self, const phys_params &params, const phys_state &state, Lanes &lanes, uint32_t lane);
     /// Moves the balls whose step is of this kind. Returns a bit for each lane that made the step.
     uint32_t (*step)(Lanes &lanes);
-    /// Makes one step of a single ball if it is of this kind; doesn't set time and step.
+    /// Makes ready for steps of dt of single balls with these parameters.
+    void (*prepare)(void *self, const phys_params &params, double dt);
+    /// Makes one step of a single ball if it is of this kind, as prepared; doesn't set time and step.
     /// `in` may be `out`; report: a fresh one, or nullptr. False, and nothing is written, otherwise.
     bool (*one)(void *self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                 phys_report *report);

@@ -26,12 +26,32 @@ namespace {
 /// Integers up to here are representable as doubles.
 constexpr uint64_t kCountedSteps = uint64_t{1} << 53;
 
-inline phys_status checkArguments(const phys_stepper &stepper, const phys_params &params, double dt,
-                                  const phys_state &state, phys_error *err) {
+void know(phys_stepper &stepper, const phys_params &params, double dt) {
+    if (stepper.lanes) stepper.lanes->prepare(stepper.self, params, dt);
+    stepper.known.params = params;
+    stepper.known.dt = dt;
+    stepper.known.hasRest = false;
+}
+
+phys_status checkStep(const phys_stepper_api &api, const phys_params &params, double dt, phys_error *err) {
     if (const phys_status status = checkDt(dt, err)) return status;
-    if (const phys_status status = checkParams(*stepper.api, params, err)) return status;
+    return checkParams(api, params, err);
+}
+
+inline phys_status checkBall(const phys_stepper &stepper, const phys_params &params, const phys_state &state,
+                             phys_error *err) {
     if (const phys_status status = checkState(state, err)) return status;
     return checkPull(*stepper.scene, params, state, err);
+}
+
+/// Checks all arguments of a step, and makes ready for it.
+inline phys_status begin(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &state,
+                         phys_error *err) {
+    if (!stepper.known.is(params, dt)) {
+        if (const phys_status status = checkStep(*stepper.api, params, dt, err)) return status;
+        know(stepper, params, dt);
+    }
+    return checkBall(stepper, params, state, err);
 }
 
 /// A step for which the stepper has no shortcut.
@@ -43,7 +63,7 @@ phys_status stepInFull(phys_stepper &stepper, const phys_params &params, double 
     return PHYS_OK;
 }
 
-/// makeStep, inlined for the single steps of a caller.
+/// A step of known parameters and length.
 inline phys_status step(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                         phys_state &out, phys_report *report, phys_error *err) {
     if (dt == 0.0) {
@@ -81,7 +101,7 @@ phys_status stepAndReport(phys_stepper &stepper, const phys_params &params, doub
 /// A step of a ball at rest, by a built-in stepper and without a report.
 phys_status stepAtRest(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                        phys_state &out, phys_error *err) {
-    if (dt > 0.0 && isModerate(in.time) && stepper.rest.holds(params, dt, in)) {
+    if (dt > 0.0 && isModerate(in.time) && stepper.known.leaves(in) && stepper.known.is(params, dt)) {
         const double time = nextTime(in, dt);
         const uint64_t number = in.step + 1;
         if (&out != &in) out = in;
@@ -89,10 +109,11 @@ phys_status stepAtRest(phys_stepper &stepper, const phys_params &params, double 
         out.step = number;
         return PHYS_OK;
     }
-    if (const phys_status status = checkArguments(stepper, params, dt, in, err)) return status;
+    if (const phys_status status = begin(stepper, params, dt, in, err)) return status;
     const phys_state before = in;
     if (const phys_status status = step(stepper, params, dt, in, out, nullptr, err)) return status;
-    if (isSameBall(before, out)) stepper.rest = {params, dt, out};
+    stepper.known.hasRest = isSameBall(before, out);
+    if (stepper.known.hasRest) stepper.known.rest = out;
     return PHYS_OK;
 }
 
@@ -105,6 +126,7 @@ phys_status createPlugin(phys_stepper &stepper, phys_error *err) {
 
 phys_status makeStep(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                      phys_report *report, phys_error *err) {
+    if (!stepper.known.is(params, dt)) know(stepper, params, dt);
     return step(stepper, params, dt, in, out, report, err);
 }
 
@@ -184,7 +206,7 @@ phys_status phys_step(phys_stepper *stepper, const phys_params *params, double d
     }
     if ((in->flags & PHYS_AT_REST) && !report && !stepper->isPlugin)
         return phys::stepAtRest(*stepper, *params, dt, *in, *out, err);
-    if (const phys_status status = phys::checkArguments(*stepper, *params, dt, *in, err)) return status;
+    if (const phys_status status = phys::begin(*stepper, *params, dt, *in, err)) return status;
     return report ? phys::stepAndReport(*stepper, *params, dt, *in, *out, *report, err)
                   : phys::step(*stepper, *params, dt, *in, *out, nullptr, err);
 }
@@ -203,7 +225,8 @@ phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_pa
         const phys_params whole = phys::completed(*params, phys_params_init);
         return phys_stepper_requirements(stepper, &whole, dt, state, out, err);
     }
-    if (const phys_status status = phys::checkArguments(*stepper, *params, dt, *state, err)) return status;
+    if (const phys_status status = phys::checkStep(*stepper->api, *params, dt, err)) return status;
+    if (const phys_status status = phys::checkBall(*stepper, *params, *state, err)) return status;
     if (!PHYS_HAS_SLOT(phys_stepper_api, stepper->api, requirements)) {
         return phys::fail(err, PHYS_ERROR_UNSUPPORTED, "stepper '%s' doesn't tell what it requires", stepper->api->id);
     }

@@ -7,6 +7,7 @@
 
 #include <physics/plugin.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -19,18 +20,20 @@ inline bool isSameBall(const phys_state &a, const phys_state &b) {
     return std::memcmp(bytesOf(a), bytesOf(b), sizeof a - kBegin) == 0;
 }
 
-/// The last step that left a ball at rest unchanged. A built-in stepper's result depends only on its inputs, so the
-/// same step needn't be computed again.
-struct KnownRest {
+/// Parameters and length of the last step. Most steps have the same: these needn't be checked again.
+struct KnownStep {
     phys_params params{};
-    double dt = 0.0; ///< s; 0: nothing is known
-    phys_state state{};
+    double dt = NAN;   ///< s; NaN: no step yet
+    phys_state rest{}; ///< of a ball that such a step left unchanged
+    bool hasRest = false;
 
-    /// Whether this is that step, apart from time and step number.
-    bool holds(const phys_params &others, double length, const phys_state &ball) const {
+    bool is(const phys_params &others, double length) const {
         // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): no padding
-        return length == dt && isSameBall(ball, state) && std::memcmp(&others, &params, sizeof params) == 0;
+        return length == dt && std::memcmp(&others, &params, sizeof params) == 0;
     }
+    /// Whether such a step leaves the ball unchanged, apart from time and step number: a built-in stepper's result
+    /// depends only on its inputs.
+    bool leaves(const phys_state &ball) const { return hasRest && isSameBall(ball, rest); }
 };
 
 } // namespace phys
@@ -42,7 +45,7 @@ struct phys_stepper {
     phys_scene_view view;
     bool isPlugin;
     const phys::LaneSteps *lanes; ///< its ability to move balls in lanes, or nullptr
-    phys::KnownRest rest;
+    phys::KnownStep known;
 };
 
 namespace phys {

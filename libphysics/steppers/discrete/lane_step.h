@@ -7,9 +7,11 @@
 
 namespace phys {
 
-/// The lanes from one on, as many as N has numbers.
+/// The lanes from one on, as many as N has numbers: balls in regions.
 template<class N>
 struct LanesOf {
+    using Number = N;
+
     Lanes &lanes;
     uint32_t first;
 
@@ -29,18 +31,18 @@ struct LanesOf {
     /// Whether a ball may fall by more than `most` (m) in a step; from mayFallOffFloor.
     bool mayFall(double most) const { return bitsOf(-(lanes.dt * lanes.dt) * of(lanes.gravityZ) > most) != 0; }
 
-    BallsInRegion<N> load() const {
+    InRegion<N> x() const { return along(lanes.x); }
+    InRegion<N> y() const { return along(lanes.y); }
+    FloorDrive<N> drive() const {
         const Planar<N> A{of(lanes.x.drive), of(lanes.y.drive)};
-        return {along(lanes.x),
-                along(lanes.y),
-                {A, of(lanes.resisting), of(lanes.pull), of(lanes.stop), of(lanes.slow)},
-                of(lanes.farthest)};
+        return {A, of(lanes.resisting), of(lanes.pull), of(lanes.stop), of(lanes.slow)};
     }
+    N farthest() const { return of(lanes.farthest); }
 
     /// Keeps the results of the balls whose step is fine. Returns a bit for each of those.
-    uint32_t keep(const BallsInRegion<N> &balls, const RegionStep<N> &step) const {
-        move(balls.x, step.displacement.x, step.velocity.x, step.isFine, lanes.x);
-        move(balls.y, step.displacement.y, step.velocity.y, step.isFine, lanes.y);
+    uint32_t keep(const RegionStep<N> &step) const {
+        move(step.displacement.x, step.velocity.x, step.isFine, lanes.x);
+        move(step.displacement.y, step.velocity.y, step.isFine, lanes.y);
         return bitsOf(step.isFine) << first;
     }
 
@@ -52,9 +54,10 @@ private:
         return {of(axis.position), of(axis.velocity), of(axis.low), of(axis.high), of(axis.lowFace), of(axis.highFace)};
     }
 
-    void move(const InRegion<N> &balls, N displacement, N velocity, MaskOf<N> isFine, LaneAxis &along) const {
-        set(choose(isFine, balls.place + displacement, balls.place), along.position);
-        set(choose(isFine, velocity, balls.velocity), along.velocity);
+    void move(N displacement, N velocity, MaskOf<N> isFine, LaneAxis &along) const {
+        const N place = of(along.position);
+        set(choose(isFine, place + displacement, place), along.position);
+        set(choose(isFine, velocity, of(along.velocity)), along.velocity);
     }
 };
 
@@ -77,11 +80,10 @@ uint32_t rollInLanes(Lanes &lanes) {
     uint32_t moved = 0;
     for (uint32_t lane = 0; lane < kLaneCount; lane += kWidth<N>) {
         const LanesOf<N> some{lanes, lane};
-        const BallsInRegion<N> balls = some.load();
-        moved |= StepInRegion<Scheme, kRule, kResists>::make(balls, limits, [&](const RegionStep<N> &step) {
-            if (!kLooksAhead<Scheme> || !lanes.looksAhead) return some.keep(balls, step);
-            const auto isFine = all(step.isFine, isFreeAhead(balls, lanes.dt, step.velocity));
-            return some.keep(balls, {step.velocity, step.displacement, isFine});
+        moved |= StepInRegion<Scheme, kRule, kResists>::make(some, limits, [&](const RegionStep<N> &step) {
+            if (!kLooksAhead<Scheme> || !lanes.looksAhead) return some.keep(step);
+            const auto isFine = all(step.isFine, isFreeAhead(some, lanes.dt, step.velocity));
+            return some.keep({step.velocity, step.displacement, isFine});
         });
     }
     return moved;

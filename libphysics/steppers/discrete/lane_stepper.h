@@ -22,8 +22,8 @@ template<class Scheme, RegionRule kRule>
 class LaneStepper {
 public:
     static const void *extension(void *self, const char *id) {
-        static constexpr LaneSteps kByTwo{begin, enter, stepInLanes<Scheme, kRule, Pair>, one, leave};
-        static constexpr LaneSteps kByFour{begin, enter, stepByFour<Scheme, kRule>, one, leave};
+        static constexpr LaneSteps kByTwo{begin, enter, stepInLanes<Scheme, kRule, Pair>, prepare, one, leave};
+        static constexpr LaneSteps kByFour{begin, enter, stepByFour<Scheme, kRule>, prepare, one, leave};
         if (std::strcmp(id, kLanesId) != 0) return nullptr;
         // Beside walls four are slower: all of them take the longer way if one of them leans, and balls come and go.
         const bool isOpen = static_cast<KnownPlaces *>(self)->scene().boxes.size() == 1;
@@ -92,24 +92,57 @@ private:
 
     // One ball.
 
+    static void prepare(void *self, const phys_params &params, double dt) {
+        KnownPlaces &places = *static_cast<KnownPlaces *>(self);
+        const phys_vec3 &g = params.gravity;
+        const FloorKind kind(params);
+        const bool isOther = (params.options & ~static_cast<uint32_t>(PHYS_OPTION_ORIENTATION)) || asReported(params);
+        const RegionLimits limits = limitsOf(places.scene(), dt, dt * dt * -g.z);
+        const auto drive = driveOf<double>({g.x, g.y}, g.z, kind.share(), params.rolling_friction,
+                                           kind.friction(params), kind.grip(params), limits);
+        places.drive() = {!isOther, kind, kind.mayLean(params), limits, drive};
+    }
+
+    /// A ball in a region: region_step.h.
+    struct OneInRegion {
+        using Number = double;
+
+        const phys_state &state;
+        const FloorRegion &region;
+        const KnownDrive &known;
+        double longest;
+
+        InRegion<double> x() const { return along(0, state.position.x, state.velocity.x); }
+        InRegion<double> y() const { return along(1, state.position.y, state.velocity.y); }
+        const FloorDrive<double> &drive() const { return known.drive; }
+        double farthest() const { return longest; }
+
+    private:
+        InRegion<double> along(size_t axis, double place, double velocity) const {
+            const FloorRegion::Range &range = region.along[axis];
+            return {place,
+                    velocity,
+                    range.low,
+                    range.high,
+                    faceOf(range.lowFace, known.mayLean),
+                    faceOf(range.highFace, known.mayLean)};
+        }
+    };
+
     static bool one(void *self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                     phys_report *report) {
         KnownPlaces &places = *static_cast<KnownPlaces *>(self);
         const PlanInput input{places.scene(), params, dt, in};
-        const FloorKind kind(params);
-        const bool isOther = (params.options & ~static_cast<uint32_t>(PHYS_OPTION_ORIENTATION)) || asReported(params);
-        if (isOther || (report && kind.slides) || !isOnFloor(input, kind)) return false;
-        const bool mayLean = kind.mayLean(params);
+        const KnownDrive &known = places.drive();
+        const FloorKind &kind = known.kind;
+        const bool mayLean = known.mayLean;
+        if (!known.isUsual || (report && kind.slides) || !isOnFloor(input, kind)) return false;
         const FloorRegion *region = regionOf(places, in, mayLean);
         if (!region) return false;
-        const phys_vec3 &g = params.gravity;
-        const RegionLimits limits = limitsOf(places.scene(), dt, dt * dt * -g.z);
-        const auto drive = driveOf<double>({g.x, g.y}, g.z, kind.share(), params.rolling_friction,
-                                           kind.friction(params), kind.grip(params), limits);
+        const RegionLimits &limits = known.limits;
         for (bool isFirst = true;; isFirst = false) {
-            const BallsInRegion<double> ball{axisOf(region->along[0], mayLean, in.position.x, in.velocity.x),
-                                             axisOf(region->along[1], mayLean, in.position.y, in.velocity.y), drive,
-                                             report ? limits.reach : farthestOf(limits.reach, params, kind, *region)};
+            const OneInRegion ball{in, *region, known,
+                                   report ? limits.reach : farthestOf(limits.reach, params, kind, *region)};
             if (isAtRest(in) && staysAtRest(ball)) {
                 stayAtRest(input, out, report);
                 return true;
@@ -129,11 +162,6 @@ private:
             region = places.regions().find({end.x, end.y, in.position.z}, inPlane(in.velocity));
             if (!region || !has(*region, in, mayLean)) return false;
         }
-    }
-
-    static InRegion<double> axisOf(const FloorRegion::Range &range, bool mayLean, double place, double velocity) {
-        return {
-            place, velocity, range.low, range.high, faceOf(range.lowFace, mayLean), faceOf(range.highFace, mayLean)};
     }
 
     static void stayAtRest(const PlanInput &input, phys_state &out, phys_report *report) {

@@ -79,14 +79,18 @@ struct InRegion {
     Mask isClear(N way) const { return all(any(low <= place - way, isAtLow()), any(place + way <= high, isAtHigh())); }
 };
 
-template<class N>
-struct BallsInRegion {
-    InRegion<N> x, y;
-    FloorDrive<N> drive;
-    N farthest; ///< m: longest displacement in a step of swept where nothing is near
+// Balls in regions are a type that reads on demand
+//
+//     InRegion<N> x(), y();
+//     FloorDrive<N> drive();
+//     N farthest(); ///< m: longest displacement in a step of swept where nothing is near
+//
+// for its number type Number, N: most steps need only some of it.
 
-    Planar<N> velocity() const { return {x.velocity, y.velocity}; }
-};
+template<class Balls>
+Planar<typename Balls::Number> velocityOf(const Balls &balls) {
+    return {balls.x().velocity, balls.y().velocity};
+}
 
 /// The motion of balls in a step, and whether their regions allow it.
 template<class N>
@@ -126,10 +130,10 @@ struct Lean {
     MaskOf<N> onX, onY; ///< at a face across that axis
     Planar<N> A;        ///< m/s^2
 
-    explicit Lean(const BallsInRegion<N> &balls)
-        : onX(isPressed(balls.x, balls.drive.A.x))
-        , onY(isPressed(balls.y, balls.drive.A.y))
-        , A(choose(onX, 0.0, balls.drive.A.x), choose(onY, 0.0, balls.drive.A.y)) {}
+    Lean(const InRegion<N> &x, const InRegion<N> &y, const Planar<N> &drive)
+        : onX(isPressed(x, drive.x))
+        , onY(isPressed(y, drive.y))
+        , A(choose(onX, 0.0, drive.x), choose(onY, 0.0, drive.y)) {}
 
 private:
     static MaskOf<N> isPressed(const InRegion<N> &along, N drive) {
@@ -138,9 +142,11 @@ private:
 };
 
 /// Whether a ball that is at rest in its region stays so, model.md 6.3.
-inline bool staysAtRest(const BallsInRegion<double> &ball) {
-    const Planar<double> A = Lean<double>(ball).A;
-    return dot(A, A) <= ball.drive.B * ball.drive.B && ball.drive.pull < INFINITY;
+template<class Ball>
+bool staysAtRest(const Ball &ball) {
+    const FloorDrive<double> &drive = ball.drive();
+    const Planar<double> A = Lean<double>(ball.x(), ball.y(), drive.A).A;
+    return dot(A, A) <= drive.B * drive.B && drive.pull < INFINITY;
 }
 
 /// Whether the explicit rule may have to look where the new velocity leads: FloorRun::mayLean.
@@ -148,9 +154,9 @@ template<class Scheme>
 inline constexpr bool kLooksAhead = Scheme::kContactRule == ContactRule::Explicit;
 
 /// Whether nothing is near there. A ball that leans on a face is left to the general case.
-template<class N>
-MaskOf<N> isFreeAhead(const BallsInRegion<N> &balls, double h, const Planar<N> &newVelocity) {
-    const InRegion<N> &x = balls.x, &y = balls.y;
+template<class Balls, class N = typename Balls::Number>
+MaskOf<N> isFreeAhead(const Balls &balls, double h, const Planar<N> &newVelocity) {
+    const InRegion<N> x = balls.x(), y = balls.y();
     return all(x.isFree(x.place + h * newVelocity.x), y.isFree(y.place + h * newVelocity.y));
 }
 
@@ -159,41 +165,44 @@ MaskOf<N> isFreeAhead(const BallsInRegion<N> &balls, double h, const Planar<N> &
 template<class Scheme, RegionRule kRule, bool kResists>
 struct StepInRegion {
     /// The step of the balls for which it is possible.
-    template<class N, class Take>
-    static auto make(const BallsInRegion<N> &balls, const RegionLimits &limits, Take take) {
-        const bool areFree = bitsOf(any(balls.x.velocity == 0.0, balls.y.velocity == 0.0)) == 0;
+    template<class Balls, class Take>
+    static auto make(const Balls &balls, const RegionLimits &limits, Take take) {
+        const auto velocity = velocityOf(balls);
+        const bool areFree = bitsOf(any(velocity.x == 0.0, velocity.y == 0.0)) == 0;
         return areFree ? take(rollFree(balls, limits)) : take(rollBeside(balls, limits));
     }
 
 private:
     /// Balls none of which is at a face.
-    template<class N>
-    static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        const InRegion<N> &x = balls.x, &y = balls.y;
-        RegionStep<N> step = rollBy(balls.drive.A, balls.drive.stop, balls, limits);
-        const N farthest = kRule == RegionRule::Swept ? balls.farthest : N(limits.reach);
+    template<class Balls, class N = typename Balls::Number>
+    static RegionStep<N> rollFree(const Balls &balls, const RegionLimits &limits) {
+        const InRegion<N> x = balls.x(), y = balls.y();
+        const FloorDrive<N> &drive = balls.drive();
+        const Planar<N> velocity = velocityOf(balls);
+        RegionStep<N> step = rollBy(drive.A, drive.stop, drive.B, velocity, limits);
+        const N farthest = kRule == RegionRule::Swept ? balls.farthest() : N(limits.reach);
         MaskOf<N> isFine =
-            all(step.isFine, isSlow(balls, farthest, limits.h), x.isFree(x.place + step.displacement.x),
-                y.isFree(y.place + step.displacement.y), staysFast(limits, balls.velocity(), step.velocity));
+            all(step.isFine, isSlow(velocity, drive, farthest, limits.h), x.isFree(x.place + step.displacement.x),
+                y.isFree(y.place + step.displacement.y), staysFast(limits, velocity, step.velocity));
         if constexpr (kRule == RegionRule::Swept) {
-            const Planar<N> turn = 0.5 * limits.h * balls.velocity();
+            const Planar<N> turn = 0.5 * limits.h * velocity;
             isFine = all(isFine, wayOf(step) <= farthest, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
         }
-        if (limits.mayFall) isFine = all(isFine, staysOnFloor(balls, limits));
+        if (limits.mayFall) isFine = all(isFine, staysOnFloor(x, y, drive, limits));
         step.isFine = isFine;
         return step;
     }
 
     /// Any balls.
-    template<class N>
-    static RegionStep<N> rollBeside(const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        const InRegion<N> &x = balls.x, &y = balls.y;
-        const FloorDrive<N> &drive = balls.drive;
+    template<class Balls, class N = typename Balls::Number>
+    static RegionStep<N> rollBeside(const Balls &balls, const RegionLimits &limits) {
+        const InRegion<N> x = balls.x(), y = balls.y();
+        const FloorDrive<N> &drive = balls.drive();
         const double h = limits.h;
-        const Lean<N> lean(balls);
-        const Planar<N> velocity = balls.velocity();
+        const Lean<N> lean(x, y, drive.A);
+        const Planar<N> velocity = velocityOf(balls);
         const N stop = stopSpeed(lean.A, drive.B, h);
-        RegionStep<N> step = rollBy(lean.A, stop * stop, balls, limits);
+        RegionStep<N> step = rollBy(lean.A, stop * stop, drive.B, velocity, limits);
         step.velocity = {choose(lean.onX, 0.0, step.velocity.x), choose(lean.onY, 0.0, step.velocity.y)};
         step.displacement = {choose(lean.onX, 0.0, step.displacement.x), choose(lean.onY, 0.0, step.displacement.y)};
 
@@ -202,36 +211,36 @@ private:
         const N aheadY = (magnitude(velocity.y) + (magnitude(drive.A.y) + drive.B) * h) * h;
         const auto isClear = all(x.isClear(choose(lean.onY, aheadX, 0.0)), y.isClear(choose(lean.onX, aheadY, 0.0)));
         step.isFine =
-            all(step.isFine, isSlow(balls, N(limits.reach), h), wayOf(step) <= limits.reach, isClear,
+            all(step.isFine, isSlow(velocity, drive, N(limits.reach), h), wayOf(step) <= limits.reach, isClear,
                 x.has(x.place + step.displacement.x, step.velocity.x),
                 y.has(y.place + step.displacement.y, step.velocity.y), staysFast(limits, velocity, step.velocity));
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * h * velocity;
             step.isFine = all(step.isFine, x.has(x.place + turn.x, velocity.x), y.has(y.place + turn.y, velocity.y));
         }
-        if (limits.mayFall) step.isFine = all(step.isFine, staysOnFloor(balls, limits));
+        if (limits.mayFall) step.isFine = all(step.isFine, staysOnFloor(x, y, drive, limits));
         return step;
     }
 
     /// The step under a drive, without regard to regions. Balls that are left to the general case, as those whose
     /// squared speed isn't above `stop`, get finite substitutes.
     template<class N>
-    static RegionStep<N> rollBy(const Planar<N> &A, N stop, const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        const Planar<N> velocity = balls.velocity();
+    static RegionStep<N> rollBy(const Planar<N> &A, N stop, N B, const Planar<N> &velocity,
+                                const RegionLimits &limits) {
         const N speedSquared = dot(velocity, velocity);
         const auto goesOn = kResists                        ? speedSquared > stop
                             : kRule == RegionRule::Substeps ? speedSquared >= 0.0
                                                             : speedSquared > 0.0;
         const Planar<N> v{choose(goesOn, velocity.x, 1.0), choose(goesOn, velocity.y, 0.0)};
-        const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, balls.drive.B}, v, limits.h);
+        const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, B}, v, limits.h);
         return {next.velocity, next.displacement, goesOn};
     }
 
     /// Whether a ball moves by at most `most` (m), which is the limits' reach where substeps would make it longer.
     template<class N>
-    static MaskOf<N> isSlow(const BallsInRegion<N> &balls, N most, double h) {
-        if constexpr (kRule == RegionRule::Swept) return reach(balls, h) <= most;
-        return h * h * dot(balls.velocity(), balls.velocity()) <= balls.drive.slow;
+    static MaskOf<N> isSlow(const Planar<N> &velocity, const FloorDrive<N> &drive, N most, double h) {
+        if constexpr (kRule == RegionRule::Swept) return reach(velocity, drive, h) <= most;
+        return h * h * dot(velocity, velocity) <= drive.slow;
     }
 
     /// An upper bound of a ball's displacement, m.
@@ -242,8 +251,8 @@ private:
 
     /// An upper bound of how far a ball can move, m.
     template<class N>
-    static N reach(const BallsInRegion<N> &balls, double h) {
-        return (magnitude(balls.x.velocity) + magnitude(balls.y.velocity) + balls.drive.pull * h) * h;
+    static N reach(const Planar<N> &velocity, const FloorDrive<N> &drive, double h) {
+        return (magnitude(velocity.x) + magnitude(velocity.y) + drive.pull * h) * h;
     }
 
     /// Whether a step ends neither nearly at rest nor in the opposite direction.
@@ -255,9 +264,10 @@ private:
     }
 
     template<class N>
-    static MaskOf<N> staysOnFloor(const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        const N way = reach(balls, limits.h);
-        return all(balls.x.isFreeAround(way), balls.y.isFreeAround(way));
+    static MaskOf<N> staysOnFloor(const InRegion<N> &x, const InRegion<N> &y, const FloorDrive<N> &drive,
+                                  const RegionLimits &limits) {
+        const N way = reach(Planar<N>{x.velocity, y.velocity}, drive, limits.h);
+        return all(x.isFreeAround(way), y.isFreeAround(way));
     }
 };
 
