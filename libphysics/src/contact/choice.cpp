@@ -9,8 +9,9 @@ namespace phys {
 
 namespace {
 
-constexpr uint32_t kMostChosen = 4;       ///< contacts
-constexpr uint64_t kMostChoice = 250'000; ///< work of one choice
+constexpr uint64_t kMostChoice = 550'000; ///< work of one choice
+constexpr uint32_t kMany = 5;             ///< contacts, among which at most kFewest are tried together:
+constexpr uint32_t kFewest = 3;           ///< as many as there are independent normals
 constexpr uint64_t kCounted = 2;          ///< of so many units of a choice one counts: its equations are small
 constexpr double kSettled = 1e-9;         ///< change of a direction that is left to Newton's method
 
@@ -70,7 +71,7 @@ Vec3 resistanceIn(const Response &response, std::span<const Held> held, double r
 
 void choose(const Contacts &contacts, const Moment &moment, double rollingFriction, double h, Work &work,
             LastingContacts &lasting) {
-    if (contacts.count() < 2 || contacts.count() > kMostChosen) return;
+    if (contacts.count() < 2) return;
     Substep substep{moment, rollingFriction, h};
     if (isOnlySolution(substep, contacts)) return;
     Moment stopped = moment;
@@ -82,9 +83,11 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
     const double negligible = negligibleSpeed({moment.velocity, moment.spin}, moment.radius);
     for (uint32_t i = 0; i < contacts.count(); ++i) {
         if (glm::dot(moment.velocity, contacts[i].normal) > std::max(contacts[i].restSpeed, negligible)) continue;
+        if (count == kMostHeld) return;
         number[count] = i;
         held[count++] = heldOf(substep, contacts[i]);
     }
+    if (count >= kMany) stopped.mostPressing = kFewest;
     const std::span<const Held> list(held.data(), count);
     Work own(kMostChoice);
     const Response response = respond(stopped, list, own);

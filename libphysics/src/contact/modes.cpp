@@ -10,7 +10,6 @@ namespace phys {
 namespace {
 
 constexpr double kNoSlip = 64.0 * 0x1p-52; // relative
-constexpr uint32_t kMostPressing = 4;      // contacts with different normals that press, model.md 14.1
 
 uint32_t closedContacts(std::span<const Reaction> reactions) {
     uint32_t closed = 0;
@@ -76,7 +75,7 @@ bool setModes(Combination &c, const std::array<uint32_t, kMostHeld> &numbers, co
         if ((excluded.closed >> i & 1U) && !c.isOpen(i)) return false;
         if ((excluded.sticking >> i & 1U) && c.sticks(i)) return false;
     }
-    return closedContacts(c.list()) <= kMostPressing;
+    return closedContacts(c.list()) <= c.moment.mostPressing;
 }
 
 /// Advances to the next combination; false after the last one.

@@ -50,6 +50,7 @@ struct Moment {
     double radius = 0.0;
     double rounding = 16.0 * 0x1p-52; ///< relative, of the normals
     double settled = 4e-15;           ///< change of a direction that counts as rounding
+    uint32_t mostPressing = 4;        ///< contacts with different normals that press, model.md 14.1
 };
 
 /// The modes that hold, and the resulting accelerations.

@@ -140,6 +140,24 @@ Start spinningAmongFour() {
     return start;
 }
 
+Start amongFiveHeldByResistance() {
+    Start start;
+    start.radius = 0.006;
+    start.boxes = {
+        {{-0.24, -0.24, -0.24}, {0.24, 0.24, 0.0}},
+        {{-0.024, 0.0018758098572326228, -0.017}, {-0.0013589822991895014, 0.003, 0.00046515542313982014}},
+        {{0.0052056978432616667, -0.015, 0.008579888724551489}, {0.023, -0.0014982937407574425, 0.018}},
+        {{-0.0038, -0.015, -0.0082}, {-0.0013100689587766368, 0.039, 0.0001447699171381921}},
+        {{0.0013100689587766368, -0.015, -0.0082}, {0.0038, 0.039, 0.0001447699171381921}},
+    };
+    start.place.z = 0.006;
+    start.gravity = {9.6896717267229615, -6.4915595842269616, -7.0576412410431839};
+    start.floor = 0.63448716008606154;
+    start.rolling = 2.8732785123575275;
+    start.model = PHYS_MODEL_ROLLING;
+    return start;
+}
+
 /// Random numbers that are the same everywhere.
 class Draw {
 public:
@@ -173,12 +191,12 @@ phys_box touching(double radius, Draw &draw, bool isFloor) {
     return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
-/// At rest, but for a spin, at two to four contacts.
+/// At rest, but for a spin, at two to four contacts, for some seeds at up to six.
 Start drawn(uint64_t seed) {
     Draw draw(seed);
     Start start;
     start.gravity = draw.vector(10.0);
-    const uint32_t count = 2 + draw.below(3);
+    const uint32_t count = (seed % 16 == 0 ? 4 : 2) + draw.below(3);
     const bool hasFloor = draw.chance(0.6);
     for (uint32_t i = 0; i < count; ++i) start.boxes.push_back(touching(start.radius, draw, hasFloor && i == 0));
     start.floor = draw.between(0.0, 2.0);
@@ -264,8 +282,9 @@ void TestSeveralSolutions::theLeastPressureIsTaken_data() {
                                      "two or three of four carry a ball",
                                      "two of three in one plane hold a ball",
                                      "a ball that rolls round a low corner stays on the floor",
-                                     "resistance holds a ball in a slot beside a corner"};
-        for (int i = 0; i < 8; ++i) QTest::addRow("%s, %s", stepper.constData(), names[i]) << stepper << i;
+                                     "resistance holds a ball in a slot beside a corner",
+                                     "resistance holds a ball among five contacts"};
+        for (int i = 0; i < 9; ++i) QTest::addRow("%s, %s", stepper.constData(), names[i]) << stepper << i;
     }
 }
 
@@ -287,6 +306,7 @@ void TestSeveralSolutions::theLeastPressureIsTaken() {
         {heldByTwoOfThreeInOnePlane(), {0.0, 0.817, 0.0, -1.64, 0.0, 0.903}},
         {rollingRoundALowCorner(), {2.683, 2.227, 0.0, -2.227, 2.683, 0.0}},
         {inASlotHeldByResistance(), {}},
+        {amongFiveHeldByResistance(), {}},
     };
     const Accelerations found = accelerationsOf(stepper, cases[which].start);
     const double off = distance(found, cases[which].wanted);
