@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace inspector {
 
@@ -58,11 +59,11 @@ inline constexpr size_t kTableChannelCount = size_t(Channel::EnergyDifference) +
 inline constexpr size_t kChannelCount = size_t(Channel::TrackDistance) + 1;
 
 struct ChannelInfo {
-    const char *id;       ///< for columns and settings: velocity_x
-    const char *label;    ///< for display: Velocity x
-    const char *unit;     ///< "" if it has none
-    const char *group;    ///< in menus
-    bool isGhost = false; ///< dashed in plots
+    const char *id;                       ///< for columns and settings: velocity_x
+    const char *label;                    ///< for display: Velocity x
+    const char *unit;                     ///< "" if it has none
+    const char *group;                    ///< in menus
+    std::optional<Channel> counterpart{}; ///< the ball's, if this is a ghost's or the measured ball's: dashed in plots
 };
 
 /// In the order of the enumeration.

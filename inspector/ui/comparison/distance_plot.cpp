@@ -48,7 +48,6 @@ DistancePlot::DistancePlot(const SampleRing &samples, QWidget *parent)
     setMinimumHeight(140); // room for the labels of both axes
     addCurve(Channel::Distance, &Accents::total);
     curves().front().graph->removeFromLegend(); // the axis label names it
-    m_high->setName(tr("Not known (9 boards in 10)"));
     m_high->setBrush(kBandFill);
     m_high->setChannelFillGraph(m_low);
     m_middle->setPen(QPen(kBandColour, 1.5));
@@ -68,9 +67,21 @@ void DistancePlot::setRadius(double radius) {
 }
 
 void DistancePlot::setNames(const QString &ball, const QString &ghost) {
-    m_ball->setName(ball);
-    m_ghost->setName(ghost);
+    m_ballName = ball;
+    m_ghostName = ghost;
+    nameKeys();
     replot(rpQueuedReplot);
+}
+
+/// The dock's lists name the steppers, too, and a legend of three lines would leave little room for the curve.
+void DistancePlot::nameKeys() {
+    m_ball->setName(m_ballName);
+    m_ghost->setName(m_ghostName);
+    m_high->setName(tr("Not known (9 boards in 10)"));
+    if (hasLegendInOneLine(*this)) return;
+    m_ball->setName(tr("Ball"));
+    m_ghost->setName(tr("Ghost"));
+    m_high->setName(tr("Not known"));
 }
 
 void DistancePlot::showBand(const std::shared_ptr<const Band> &band) {
@@ -85,6 +96,7 @@ void DistancePlot::showBand(const std::shared_ptr<const Band> &band) {
 
 /// Includes the next points outside of the range, so that the band reaches the border.
 void DistancePlot::loadBesides(const QCPRange &times) {
+    nameKeys();
     const std::vector<double> all = m_band ? m_band->times : std::vector<double>();
     const auto after = std::lower_bound(all.begin(), all.end(), times.lower);
     const auto first = size_t(std::max<ptrdiff_t>(after - all.begin() - 1, 0));

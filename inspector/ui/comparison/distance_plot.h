@@ -17,7 +17,7 @@ public:
     explicit DistancePlot(const SampleRing &samples, QWidget *parent = nullptr);
 
     void setRadius(double radius); ///< of the ball, m
-    /// Names for the legend.
+    /// Names for the legend; where they don't fit into one line, it has only "Ball" and "Ghost".
     void setNames(const QString &ball, const QString &ghost);
     void showBand(const std::shared_ptr<const Band> &band); ///< null: none
 
@@ -31,11 +31,14 @@ protected:
 
 private:
     void showRadii();
+    void nameKeys();
 
     double m_radius = 0.006; ///< m
     double m_zero = 0.0;     ///< mm, the position of zeros; 0 if there are none
     QCPGraph *m_ball;        ///< legend entries
     QCPGraph *m_ghost;
+    QString m_ballName;
+    QString m_ghostName;
     std::shared_ptr<const Band> m_band;
     QCPGraph *m_low; ///< of the band
     QCPGraph *m_high;

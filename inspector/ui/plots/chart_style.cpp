@@ -15,6 +15,10 @@ QColor mixed(const QColor &a, const QColor &b, double share) {
                             between(a.blueF(), b.blueF()));
 }
 
+bool isChangeOfLook(const QEvent &event) {
+    return event.type() == QEvent::PaletteChange || event.type() == QEvent::FontChange;
+}
+
 void applyChartStyle(QCustomPlot &chart) {
     const QColor base = chart.palette().color(QPalette::Base);
     const QColor text = chart.palette().color(QPalette::Text);
@@ -78,9 +82,11 @@ int widthOf(const std::vector<int> &entries, size_t columns, int spacing) {
     return width;
 }
 
+int roomOf(const QCPLegend &legend, int width) { return width - legend.margins().left() - legend.margins().right(); }
+
 void wrapLegend(QCPLegend &legend, int width) {
     const std::vector<int> entries = entryWidths(legend);
-    const int room = width - legend.margins().left() - legend.margins().right();
+    const int room = roomOf(legend, width);
     size_t columns = std::max<size_t>(entries.size(), 1);
     while (columns > 1 && widthOf(entries, columns, legend.columnSpacing()) > room) --columns;
     const int wrap = columns < entries.size() ? int(columns) : 0;
@@ -90,6 +96,12 @@ void wrapLegend(QCPLegend &legend, int width) {
 }
 
 } // namespace
+
+bool hasLegendInOneLine(const QCustomPlot &chart) {
+    const QCPLegend &legend = *chart.legend;
+    const std::vector<int> entries = entryWidths(legend);
+    return entries.empty() || widthOf(entries, entries.size(), legend.columnSpacing()) <= roomOf(legend, chart.width());
+}
 
 void fitChart(QCustomPlot &chart) {
     const int line = QFontMetrics(chart.font()).height();

@@ -18,12 +18,18 @@ inline constexpr double kMillimetresPerMetre = 1e3;
 /// Blends from a (share 0) to b (share 1).
 QColor mixed(const QColor &a, const QColor &b, double share);
 
+/// Whether a widget's colours or font have changed, which its chart has to take over.
+bool isChangeOfLook(const QEvent &event);
+
 /// Sets background, axes, grid and legend to the widget's colours and font.
 void applyChartStyle(QCustomPlot &chart);
 
 /// Puts the legend into one line above the curves, so that it hides nothing; left: its margin, pixels. Returns that
 /// line's layout, for further elements.
 QCPLayoutGrid *putLegendAbove(QCustomPlot &chart, int left);
+
+/// Whether the legend's entries fit beside each other across the chart.
+bool hasLegendInOneLine(const QCustomPlot &chart);
 
 /// For charts with little room: fewer ticks, and more lines for the legend above the curves.
 void fitChart(QCustomPlot &chart);

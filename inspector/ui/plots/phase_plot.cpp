@@ -127,7 +127,7 @@ void PhasePlot::updateReadOut() {
 
 void PhasePlot::changeEvent(QEvent *event) {
     QCustomPlot::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) takeColours();
+    if (isChangeOfLook(*event)) takeColours();
 }
 
 void PhasePlot::leaveEvent(QEvent *event) {

@@ -50,7 +50,7 @@ PlotPanel::PlotPanel(QWidget *content, TimeView &time, const QString &prefix, QW
     QToolButton *pause =
         addButton(Glyph::Pause, prefix + QLatin1String("_pause"), tr("Hold the plots; the simulation goes on"));
     QToolButton *clear = addButton(Glyph::Clear, prefix + QLatin1String("_clear"), tr("Forget what was up to now"));
-    QToolButton *save = addButton(Glyph::Save, prefix + QLatin1String("_save"), tr("Save as CSV, PNG or PDF…"));
+    QToolButton *save = addButton(Glyph::Save, prefix + QLatin1String("_save"), tr("Save as PNG, PDF or CSV…"));
     follow->setCheckable(true);
     follow->setChecked(time.isFollowing());
     pause->setCheckable(true);

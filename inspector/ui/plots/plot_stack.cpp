@@ -20,7 +20,7 @@ namespace inspector::ui {
 
 namespace {
 
-const QString kUsualPlots = QStringLiteral("velocity_x,velocity_y,speed");
+const QString kUsualPlots = QStringLiteral("velocity_x,velocity_y,speed,ghost_speed");
 const QString kPhase = QStringLiteral("phase:");
 constexpr qsizetype kMostRestored = 16; ///< a settings file may list any number
 
@@ -30,10 +30,11 @@ struct Offer {
     const char *content;
 };
 constexpr Offer kOffers[] = {
-    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Velocity"), "velocity_x,velocity_y,speed"},
-    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Position"), "position_x,position_y,ghost_x,ghost_y"},
+    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Velocity"), "velocity_x,velocity_y,speed,ghost_speed"},
+    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Position"),
+     "position_x,position_y,ghost_x,ghost_y,track_x,track_y"},
     {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Tilt"), "tilt_x,tilt_y"},
-    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Energy"), "energy,kinetic,potential"},
+    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Energy"), "energy,kinetic,potential,ghost_energy"},
     {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Energy lost"), "lost_impact,lost_rolling,lost_slip,scheme"},
     {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Distance to the ghost"), "log:distance"},
     {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Time to compute a step"), "log:step_time"},

@@ -40,6 +40,8 @@ QString unitOf(const std::vector<Channel> &channels) {
     return printedUnit(unit);
 }
 
+const std::optional<Channel> &counterpartOf(Channel channel) { return channelInfos()[size_t(channel)].counterpart; }
+
 /// The common name of the quantities, apart from a ghost's; empty if they differ.
 QString nameOf(const std::vector<Channel> &channels) {
     if (channels.size() == 1) return QString::fromUtf8(channelInfos()[size_t(channels.front())].label);
@@ -47,7 +49,7 @@ QString nameOf(const std::vector<Channel> &channels) {
     for (const Channel channel : channels) {
         const ChannelInfo &info = channelInfos()[size_t(channel)];
         const QString its = QString::fromUtf8(info.group);
-        if (info.isGhost) continue;
+        if (info.counterpart) continue;
         if (!name.isEmpty() && its != name) return {};
         name = its;
     }
@@ -87,8 +89,12 @@ void QuantityPlot::setContent(const PlotContent &content) {
     clearCurves();
     size_t number = 0;
     for (const Channel channel : content.channels) {
-        const bool isGhost = channelInfos()[size_t(channel)].isGhost;
-        addCurve(channel, kColours[number++ % std::size(kColours)], isGhost ? Qt::DashLine : Qt::SolidLine);
+        const std::optional<Channel> &ball = counterpartOf(channel);
+        const auto isBalls = [&ball](const Curve &curve) { return curve.channel == ball; };
+        const auto beside = std::ranges::find_if(curves(), isBalls);
+        const auto colour = beside == curves().end() ? kColours[number++ % std::size(kColours)] : beside->colour;
+        addCurve(channel, colour, ball ? Qt::DashLine : Qt::SolidLine);
+        if (ball) curves().back().graph->removeFromLegend(); // until it has values
     }
     const QString unit = unitOf(content.channels);
     if (unit.isEmpty()) // the axis can't tell
@@ -130,6 +136,18 @@ void QuantityPlot::fitValues() {
         fitPowers();
     else
         fitSpan();
+}
+
+/// The legend names a ghost's curves while there is one.
+void QuantityPlot::loadBesides(const QCPRange &) {
+    for (const Curve &curve : curves()) {
+        if (!counterpartOf(curve.channel)) continue;
+        const auto isNumber = [](const QCPGraphData &point) { return std::isfinite(point.value); };
+        if (std::ranges::any_of(*curve.graph->data(), isNumber))
+            curve.graph->addToLegend();
+        else
+            curve.graph->removeFromLegend();
+    }
 }
 
 /// Fits the axis to whole decades.
@@ -177,6 +195,7 @@ QString QuantityPlot::textOf(const Sample &sample) const {
     QStringList parts;
     for (const Curve &curve : curves()) {
         const double value = sample[curve.channel];
+        if (std::isnan(value) && counterpartOf(curve.channel)) continue;
         const QString number = std::isnan(value) ? QStringLiteral("–") : QStringLiteral("%1").arg(value, 0, 'g', 6);
         parts += isMixed ? (number + QLatin1Char(' ') + printedUnit(unitOf(curve.channel))).trimmed() : number;
     }

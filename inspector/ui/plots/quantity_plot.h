@@ -19,7 +19,7 @@ struct PlotContent {
 QString textOf(const PlotContent &content);
 PlotContent plotContentOf(const QString &text); ///< unknown names are ignored
 
-/// Any quantities over time; a ghost's are dashed.
+/// Any quantities over time; a ghost's are dashed, in the colours of the ball's.
 class QuantityPlot : public TimePlot {
     Q_OBJECT
 
@@ -39,6 +39,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
     void fitValues() override;
+    void loadBesides(const QCPRange &times) override;
     double drawn(double plotted) const override;
     Columns columns() const override { return Columns::All; }
     QString textOf(const Sample &sample) const override;

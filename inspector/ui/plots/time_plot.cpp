@@ -208,10 +208,6 @@ void TimePlot::refresh() {
     if (!m_isStale && (last == m_shown || isPaused())) return;
     m_shown = last;
 
-    fitLegend();
-    fitLabels();
-    fitChart(*this);
-    leaveOutLegend();
     const std::optional<double> newest = newestTime();
     if (isFollowing() && !isPaused() && newest) m_time->follow(*newest, m_context.moment);
     xAxis->setRange(m_time->range());
@@ -220,6 +216,10 @@ void TimePlot::refresh() {
         loadOldFuture(curve);
     }
     loadBesides(shownTimes());
+    fitLegend();
+    fitLabels();
+    fitChart(*this);
+    leaveOutLegend();
     if (m_fitsValues && newest) fitValues();
     m_fitsAtOnce = false;
     for (const Curve &curve : m_curves)
@@ -367,8 +367,7 @@ void TimePlot::resizeEvent(QResizeEvent *event) {
 
 void TimePlot::changeEvent(QEvent *event) {
     QCustomPlot::changeEvent(event);
-    const bool isLook = event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange;
-    if (isLook) takeColours();
+    if (isChangeOfLook(*event)) takeColours();
 }
 
 std::optional<Sample> TimePlot::sampleAt(double time) const {

@@ -69,7 +69,7 @@ void ResidualPlot::resizeEvent(QResizeEvent *event) {
 
 void ResidualPlot::changeEvent(QEvent *event) {
     QCustomPlot::changeEvent(event);
-    if (event->type() != QEvent::PaletteChange) return;
+    if (!isChangeOfLook(*event)) return;
     applyChartStyle(*this);
     replot(rpQueuedReplot);
 }

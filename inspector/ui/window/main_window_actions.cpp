@@ -61,7 +61,7 @@ std::vector<MainWindow::ActionRow> MainWindow::fileRows() {
          QT_TR_NOOP("What was just seen, as a recording, a table of all samples or a picture"), &MainWindow::saveRun},
         {"save_film", QT_TR_NOOP("Save film…"), "Ctrl+Shift+F",
          QT_TR_NOOP("The last seconds as a film, or as pictures in a folder"), &MainWindow::saveFilm},
-        {"save_plot", QT_TR_NOOP("Save plot…"), "Ctrl+Shift+S", QT_TR_NOOP("As CSV, PNG or PDF: the one that is seen"),
+        {"save_plot", QT_TR_NOOP("Save plot…"), "Ctrl+Shift+S", QT_TR_NOOP("As PNG, PDF or CSV: the one that is seen"),
          &MainWindow::savePlot},
         {"screenshot", QT_TR_NOOP("Save picture of the window…"), "Ctrl+P", "", &MainWindow::saveScreenshot},
         {"record", QT_TR_NOOP("Record…"), "",
@@ -411,7 +411,7 @@ void MainWindow::saveCurves() {
 
 void MainWindow::askWhereToSavePlot(const QString &name, const TimeView &time,
                                     const std::function<bool(const QString &path, QString *error)> &save) {
-    const QString filter = tr("Table of all samples (*.csv);;Picture (*.png);;Document (*.pdf)");
+    const QString filter = tr("Picture (*.png);;Document (*.pdf);;Table of all samples (*.csv)");
     chooseFile(*this, m_session.settings(), {tr("Save plot"), filter, name, FileUse::Write},
                [this, save, &time](const QString &path) {
                    QString error;

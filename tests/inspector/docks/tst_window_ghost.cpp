@@ -12,6 +12,8 @@
 
 #include <cmath>
 
+#include <qcustomplot.h>
+
 using namespace window_test;
 using inspector::ui::NumberBox;
 
@@ -35,6 +37,7 @@ private slots:
     void rigidRowsFollowTheGhostsModel();
     void controlsSayWhoseTheyAre();
     void otherStepperBringsItsOwnRows();
+    void plotHasTheGhostsSpeedBesideTheBalls();
     void figuresOfAGhostThatLeftAreOfThatMoment();
     void figuresOfThePastCountFromWhereTheyMet();
 
@@ -193,6 +196,26 @@ void TestWindowGhost::otherStepperBringsItsOwnRows() {
 }
 
 // It stays where it left in its first step, while the ball falls on.
+void TestWindowGhost::plotHasTheGhostsSpeedBesideTheBalls() {
+    auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
+    const QCPGraph *speed = plot->graph(2);
+    const QCPGraph *ghosts = plot->graph(3);
+    const auto isNamed = [&] {
+        m_fixture->makeSteps(10);
+        m_fixture->window().refresh();
+        return plot->legend->hasItemWithPlottable(ghosts);
+    };
+    QVERIFY(!isNamed());
+    switchOn();
+    type("ghost_rolling_friction_box", "0.05");
+    QVERIFY(isNamed());
+    QCOMPARE(ghosts->name(), QString("Ghost speed"));
+    QCOMPARE(ghosts->pen().color(), speed->pen().color());
+    QCOMPARE(ghosts->pen().style(), Qt::DashLine);
+    const double last = std::prev(ghosts->data()->constEnd())->value;
+    QVERIFY2(last < std::prev(speed->data()->constEnd())->value, qPrintable(QString::number(last)));
+}
+
 void TestWindowGhost::figuresOfAGhostThatLeftAreOfThatMoment() {
     m_fixture->press(Qt::Key_5, Qt::ControlModifier); // its dock
     comparison().start({"symplectic-euler", 1});

@@ -118,7 +118,7 @@ void TestWindowPlot::makeSteps(uint64_t count) {
 void TestWindowPlot::curvesAreTheRingsSamples() {
     makeSteps(20);
     const Channel channels[] = {Channel::VelocityX, Channel::VelocityY, Channel::Speed};
-    QCOMPARE(m_plot->graphCount(), 3);
+    QCOMPARE(m_plot->graphCount(), 4); // the last is a ghost's
     for (int i = 0; i < 3; ++i) {
         const auto data = m_plot->graph(i)->data();
         QCOMPARE(data->size(), 20);
@@ -361,7 +361,7 @@ void TestWindowPlot::saveAsksForAName() {
     QVERIFY(name);
     name->setText(m_fixture->path("chosen")); // the ending comes from the kind of file
     click(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Save));
-    QTRY_VERIFY(QFile::exists(m_fixture->path("chosen.csv")));
+    QTRY_VERIFY(QFile::exists(m_fixture->path("chosen.png")));
     QCOMPARE(m_fixture->game().phase(), inspector::Game::Phase::Prompt);
 }
 
@@ -457,10 +457,10 @@ void TestWindowPlot::chosenQuantityIsPlotted() {
     menu->findChild<QMenu *>("Energy")->findChild<QAction *>("kinetic")->trigger();
     menu->close();
     m_fixture->window().refresh();
-    QCOMPARE(m_plot->graphCount(), 4);
+    QCOMPARE(m_plot->graphCount(), 5);
     Sample sample;
     QVERIFY(m_fixture->simulation().samples().read(7, sample));
-    QCOMPARE(m_plot->graph(3)->data()->at(7)->value, sample[Channel::Kinetic]);
+    QCOMPARE(m_plot->graph(4)->data()->at(7)->value, sample[Channel::Kinetic]);
     // E = v^2 / 2 + (R w)^2 / 5; a rolling ball's two are 7/10 v^2.
     QVERIFY(std::abs(sample[Channel::Kinetic] - 0.7 * std::pow(sample[Channel::Speed], 2)) < 1e-12);
 }
@@ -563,7 +563,7 @@ void TestWindowPlot::unknownQuantitiesOfTheSettingsAreNotSet() {
     m_fixture->reopen();
     QVERIFY(m_fixture->isReady());
     QCOMPARE(plots().size(), 1);
-    QCOMPARE(textOf(stack().first().content()), QString("velocity_x,velocity_y,speed"));
+    QCOMPARE(textOf(stack().first().content()), QString("velocity_x,velocity_y,speed,ghost_speed"));
 }
 
 void TestWindowPlot::droppedQuantityIsAdded() {
@@ -588,7 +588,7 @@ void TestWindowPlot::plotsAreRememberedAndReset() {
     m_fixture->trigger("reset_layout");
     QCOMPARE(plots().size(), 1);
     QVERIFY(phasePlots().isEmpty());
-    QCOMPARE(textOf(stack().first().content()), QString("velocity_x,velocity_y,speed"));
+    QCOMPARE(textOf(stack().first().content()), QString("velocity_x,velocity_y,speed,ghost_speed"));
 }
 
 void TestWindowPlot::plotHasAQuarterOfTheWindow() {
