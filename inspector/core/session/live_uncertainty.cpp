@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace inspector {
 
@@ -22,6 +23,7 @@ void LiveUncertainty::end() {
     if (!m_scene) return;
     m_scene.reset();
     m_open.reset();
+    m_noted.clear();
     m_band.end();
 }
 
@@ -33,7 +35,9 @@ bool LiveUncertainty::begin(const Snapshot &now, const SampleRing &samples, cons
     m_unknowns = unknowns;
     const phys_state &met = now.ghost->met;
     m_time = met.time;
+    m_end = met.time + LiveBand::kReach;
     m_open.reset();
+    m_noted.clear();
     m_next = samples.find(std::nextafter(m_time, std::numeric_limits<double>::infinity()));
     m_band.begin({scene, met, m_unknowns});
     Sample first;
@@ -41,12 +45,12 @@ bool LiveUncertainty::begin(const Snapshot &now, const SampleRing &samples, cons
 }
 
 /// Longer segments are split anyway.
-void LiveUncertainty::take(const Sample &sample, const Inputs &inputs, std::vector<LiveBand::Segment> &segments) {
+void LiveUncertainty::take(const Sample &sample, const Inputs &inputs) {
     constexpr double kLongest = 0.05; // s
     const double length = sample.time - m_time;
     m_time = sample.time;
     const bool goesOn = m_open && m_open->length < kLongest && isSameTilt(m_open->inputs, sample);
-    if (m_open && !goesOn) segments.push_back(*m_open);
+    if (m_open && !goesOn) m_noted.push_back(*m_open);
     if (!goesOn) {
         m_open = LiveBand::Segment{inputs, 0.0};
         m_open->inputs.tilt = tiltOf(sample);
@@ -58,16 +62,24 @@ void LiveUncertainty::follow(const Snapshot &now, const SampleRing &samples, con
                              const Unknowns &unknowns) {
     if (unknowns.empty() || !now.ghost) return end();
     if (!isOfBand(now, scene, unknowns)) m_isWhole = begin(now, samples, scene, unknowns);
-    std::vector<LiveBand::Segment> segments;
     Sample sample;
     for (const uint64_t last = samples.last(); m_isWhole && m_next < last; ++m_next) {
         m_isWhole = samples.read(m_next, sample);
-        if (m_isWhole && sample.time > m_time) take(sample, now.inputs, segments);
+        if (m_isWhole && sample.time > m_time && m_time < m_end) take(sample, now.inputs);
     }
-    if (!segments.empty()) m_band.goOn(segments);
+}
+
+void LiveUncertainty::computeNoted() {
+    if (!m_noted.empty()) m_band.goOn(std::exchange(m_noted, {}));
+}
+
+std::shared_ptr<const Band> LiveUncertainty::band() {
+    computeNoted();
+    return m_band.latest();
 }
 
 void LiveUncertainty::finish() {
+    computeNoted();
     if (m_open) m_band.goOn({*m_open});
     m_open.reset();
     m_band.finish();
