@@ -35,7 +35,7 @@ struct ChartBand {
 
 struct ChartDescription {
     QString title;
-    QString costLabel = QStringLiteral("CPU time of a simulated second [µs]");
+    QString costLabel = QStringLiteral("CPU per simulated second [µs]");
     QString errorLabel = QStringLiteral("largest error [radii]");
     std::vector<ChartCurve> curves; ///< for every stepper, so that colours don't change while results arrive
     std::vector<ChartPoint> front;  ///< the Pareto front, from cheap to accurate

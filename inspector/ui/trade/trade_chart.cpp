@@ -150,14 +150,24 @@ void TradeChart::addCurves() {
     for (QCPCurve *curve : m_curves) removePlottable(curve);
     m_curves.clear();
     for (const ChartCurve &curve : m_description.curves) {
-        const QColor colour = QLatin1String(curve.colour);
-        const QColor line = colour == QColor(Qt::black) ? palette().color(QPalette::Text) : colour;
+        const QColor line = shown(curve.colour);
         m_curves.push_back(new QCPCurve(xAxis, yAxis));
         m_curves.back()->setName(curve.name);
         m_curves.back()->setPen(QPen(line, 1.8));
         m_curves.back()->setScatterStyle({QCPScatterStyle::ssDisc, line, 6.0});
         for (const ChartPoint &point : curve.points) m_curves.back()->addData(point.cost, point.error);
     }
+}
+
+/// Black curves have the colour of text, which is seen on every background.
+QColor TradeChart::shown(const char *colour) const {
+    const QColor line = QLatin1String(colour);
+    return line == QColor(Qt::black) ? palette().color(QPalette::Text) : line;
+}
+
+QColor TradeChart::colourOf(const QByteArray &stepper) const {
+    const auto curve = std::ranges::find(m_description.curves, stepper, &ChartCurve::stepper);
+    return curve == m_description.curves.end() ? QColor(Qt::transparent) : shown(curve->colour);
 }
 
 void TradeChart::showBand() {
@@ -246,9 +256,10 @@ void TradeChart::mousePressEvent(QMouseEvent *event) {
 
 void TradeChart::changeEvent(QEvent *event) {
     QCustomPlot::changeEvent(event);
-    if (event->type() != QEvent::PaletteChange) return;
+    if (!isChangeOfLook(*event)) return;
     takeColours();
     addCurves();
+    arrange();
     replot(rpQueuedReplot);
 }
 

@@ -23,6 +23,7 @@ public:
 
     /// The index, in the result's points, of the point within a few pixels; nothing if there is none.
     std::optional<size_t> pointAt(const QPointF &place) const;
+    QColor colourOf(const QByteArray &stepper) const; ///< of its curve; transparent if it has none
 
 signals:
     void chosen(size_t index);
@@ -44,6 +45,7 @@ private:
     void showGoodEnough();
     void fitAxes();
     QString tipOf(size_t index) const;
+    QColor shown(const char *colour) const;
     void takeColours();
 
     ChartDescription m_description;

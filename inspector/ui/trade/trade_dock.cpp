@@ -23,7 +23,6 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -204,7 +203,7 @@ double TradeDock::radius() const {
 }
 
 QString TradeDock::answerText(const TradePoint &point, double seconds) const {
-    return tr("Cheapest: %1 at %2, off by %3 mm in the first %4 s of each schedule; %5 µs a second")
+    return tr("Cheapest: %1 at %2, off by %3 mm in the first %4 s of each schedule; %5 µs of CPU a second")
         .arg(nameOf(point), stepSizeText(point.dt))
         .arg(errorUntil(point, seconds) * radius() * 1e3, 0, 'g', 2)
         .arg(seconds, 0, 'g', 3)
@@ -254,6 +253,7 @@ QWidget *TradeDock::makeAnswers() {
 void TradeDock::makeTable() {
     m_table = named(new QTableView, "trade_table");
     m_table->setAccessibleName(tr("Measured settings"));
+    m_rows->setColours([this](const QByteArray &stepper) { return m_chart->colourOf(stepper); });
     m_sorted->setSourceModel(m_rows);
     m_sorted->setSortRole(TradeTableModel::kSortRole);
     m_sorted->setFilterKeyColumn(TradeTableModel::Model);
@@ -265,6 +265,7 @@ void TradeDock::makeTable() {
     m_table->installEventFilter(this);
     m_table->setAlternatingRowColors(true);
     m_table->setWordWrap(false);
+    m_table->setIconSize({10, 10});
     m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // it scrolls by itself
     hideColumns();
     QHeaderView *header = m_table->horizontalHeader();
@@ -275,7 +276,6 @@ void TradeDock::makeTable() {
     header->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(header, &QHeaderView::customContextMenuRequested, this, &TradeDock::askForColumns);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     fitColumns();
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         m_chart->choose(chosenIndex());
@@ -320,6 +320,7 @@ void TradeDock::askForColumns(const QPoint &place) {
 
 /// Without the room that Qt reserves in each for the arrow of the sorted one: as wide as the header is high.
 void TradeDock::fitColumns() {
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     m_table->horizontalHeader()->setSortIndicatorShown(false);
     m_table->resizeColumnsToContents();
     m_table->horizontalHeader()->setSortIndicatorShown(true);
@@ -389,9 +390,9 @@ void TradeDock::showResult() {
     m_rows->show(m_worker.plan(), result);
     m_sorted->setFilterFixedString(modelName(model()));
     hideNotes();
-    fitColumns();
     showTolerance();
     showBand();
+    fitColumns();
 }
 
 void TradeDock::showBand() {
@@ -408,15 +409,9 @@ ChartDescription TradeDock::describedChart() const {
     return chart;
 }
 
-/// While the table has the focus it handles Ctrl+C.
-bool TradeDock::eventFilter(QObject *object, QEvent *event) {
-    const bool isOffer = event->type() == QEvent::ShortcutOverride;
-    if (object != m_table || (!isOffer && event->type() != QEvent::KeyPress)) return false;
-    const bool isCopy = static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy);
-    if (!isCopy || !m_table->selectionModel()->hasSelection()) return false;
-    if (!isOffer) copy();
-    event->accept();
-    return true;
+void TradeDock::changeEvent(QEvent *event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitColumns();
 }
 
 void TradeDock::showChangedWish() {
@@ -481,11 +476,12 @@ QString TradeDock::goodEnoughText() const {
     };
     const QString passedOver =
         cheaper.empty() ? QString() : passedOverText(*result.goodEnough, settingOf(result.points[cheaper[0].point]));
-    const QString text = tr("Good enough: %1 at %2, off by at most %3 % of it on %4 schedules; %5 µs a second")
-                             .arg(nameOf(point), stepSizeText(point.dt))
-                             .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
-                             .arg(result.goodEnough->validations + int(m_worker.plan().schedules.size()))
-                             .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
+    const QString text =
+        tr("Good enough: %1 at %2, off by at most %3 % of what isn't known on %4 schedules; %5 µs of CPU a second")
+            .arg(nameOf(point), stepSizeText(point.dt))
+            .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
+            .arg(result.goodEnough->validations + int(m_worker.plan().schedules.size()))
+            .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
     return text + passedOver + shortSchedulesText(m_worker.plan());
 }
 

@@ -53,4 +53,15 @@ void TradeDock::copy() const {
     QGuiApplication::clipboard()->setMimeData(copied);
 }
 
+/// While the table has the focus it handles Ctrl+C.
+bool TradeDock::eventFilter(QObject *object, QEvent *event) {
+    const bool isOffer = event->type() == QEvent::ShortcutOverride;
+    if (object != m_table || (!isOffer && event->type() != QEvent::KeyPress)) return false;
+    const bool isCopy = static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy);
+    if (!isCopy || !m_table->selectionModel()->hasSelection()) return false;
+    if (!isOffer) copy();
+    event->accept();
+    return true;
+}
+
 } // namespace inspector::ui

@@ -51,6 +51,8 @@ QVariant TradeTableModel::data(const QModelIndex &index, int role) const {
     switch (role) {
     case Qt::DisplayRole:
         return text(point, index.column());
+    case Qt::DecorationRole:
+        return index.column() == Stepper && m_colourOf ? QVariant(m_colourOf(point.stepper)) : QVariant();
     case Qt::ToolTipRole:
         return tradePointText(point, stepperName(m_registry, point.stepper));
     case Qt::TextAlignmentRole:

@@ -5,6 +5,9 @@
 #include "core/trade/trade_options.h"
 
 #include <QAbstractTableModel>
+#include <QColor>
+
+#include <functional>
 
 namespace inspector::ui {
 
@@ -19,6 +22,8 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void show(const TradePlan &plan, const TradeResult &result);
+    /// The steppers' names have the colours of their curves beside them, so that the table is the chart's legend.
+    void setColours(std::function<QColor(const QByteArray &stepper)> colourOf) { m_colourOf = std::move(colourOf); }
     /// The column of the figure with this id (core/trade/trade_table.h), which must exist.
     static int columnOf(const char *id);
 
@@ -34,6 +39,7 @@ private:
     QVariant text(const TradePoint &point, int column) const;
     QVariant number(const TradePoint &point, int column) const;
 
+    std::function<QColor(const QByteArray &)> m_colourOf;
     Registry m_registry; ///< has the steppers' names
     std::vector<TradePoint> m_points;
     double m_horizon = kTradeHorizon; ///< s, the measured plan's

@@ -52,6 +52,7 @@ private slots:
     void columnsThatMatterAreSeenAtTheUsualWidth();
     void columnIsShownByTheHeadersMenu();
     void stepperHasOneNameEverywhere();
+    void stepperHasTheColourOfItsCurve();
     void otherWishPutsTheAnswerOutOfDate_data();
     void otherWishPutsTheAnswerOutOfDate();
     void changedParameterPutsTheFiguresOutOfDate();
@@ -286,6 +287,20 @@ void TestTradeDock::stepperHasOneNameEverywhere() {
     QCOMPARE(found, list.count());
     const QString answer = find<QLabel>("trade_good_enough").text();
     QVERIFY2(list.findText(answer.section(": ", 1).section(" at ", 0, 0)) >= 0, qPrintable(answer));
+}
+
+// The table is the legend of a chart that has no room for its own.
+void TestTradeDock::stepperHasTheColourOfItsCurve() {
+    int found = 0;
+    for (int row = 0; row < table().model()->rowCount(); ++row) {
+        for (int i = 0; i < chart().plottableCount(); ++i) {
+            if (chart().plottable(i)->name() != cell(row, 0)) continue;
+            const QVariant swatch = table().model()->index(row, 0).data(Qt::DecorationRole);
+            QCOMPARE(swatch.value<QColor>(), chart().plottable(i)->pen().color());
+            ++found;
+        }
+    }
+    QCOMPARE(found, table().model()->rowCount());
 }
 
 void TestTradeDock::otherWishPutsTheAnswerOutOfDate_data() {
