@@ -3,7 +3,6 @@
 
 #include "core/setup/lines.h"
 #include "gl/view/maze_view.h"
-#include "ui/ball/ball_dock.h"
 #include "ui/ball/ball_dragger.h"
 #include "ui/bounces/bounce_dock.h"
 #include "ui/comparison/comparison_dock.h"
@@ -28,9 +27,7 @@
 #include "ui/window/grab.h"
 #include "ui/window/maze_watcher.h"
 #include "ui/window/ruler.h"
-#include "ui/window/run_dock.h"
 #include "ui/window/status_line.h"
-#include "ui/window/watch_list.h"
 
 #include <QAction>
 #include <QApplication>
@@ -250,14 +247,11 @@ void MainWindow::refresh() {
     m_status->showSnapshot(now, m_session.scene().get());
     m_time->refresh(now);
     m_strip->setText(gameText(m_session, now));
-    m_bounces->refresh();
+    m_bounces->refresh(); // first, as plots mark them
     const std::optional<double> moment = m_session.isInPast() ? std::optional(now.current.time) : std::nullopt;
     const std::optional<Departure> left = m_session.departure();
     m_plots->refresh({&m_session.oldFuture(), moment, left ? std::optional(left->time) : std::nullopt});
-    m_watched->refresh(now);
-    m_ball->refresh(now);
-    m_comparison->refresh(now);
-    m_runs->refresh();
+    emit refreshing(now);
     m_dockRoom->follow();
     if (m_session.isTiltedByPilot() && !m_session.isInPast()) m_parameters->showPilotsTilt(now.inputs.tilt);
 }

@@ -25,14 +25,12 @@ struct Ray;
 
 namespace inspector::ui {
 
-class BallDock;
 class BallDragger;
 class BounceDock;
 class ComparisonDock;
 class DockRoom;
 class DocumentDialog;
 class GameStrip;
-class LevelPanel;
 class MazeWatcher;
 class MessageBar;
 class ParameterPanel;
@@ -40,14 +38,12 @@ class PlotPanel;
 class PlotStack;
 class TimeBar;
 class Ruler;
-class RunDock;
 class StatusLine;
 class TimePlot;
 class TimeView;
 class TrackDock;
 class TradeDock;
 class TransportBar;
-class WatchList;
 
 /// The window: assembles view, docks, bars and menus over a session and connects them.
 class MainWindow : public QMainWindow {
@@ -74,6 +70,9 @@ public:
     bool openTrack(const QString &path, const QString &units);
     TrackDock &track() { return *m_track; }
 
+signals:
+    void refreshing(const inspector::Snapshot &now); ///< about 30 times a second
+
 protected:
     bool focusNextPrevChild(bool isNext) override;
     void childEvent(QChildEvent *event) override;
@@ -97,6 +96,11 @@ private:
     void makeActions();
     void makeCentre(gl::Drawing drawing);
     void makeDocks();
+    template<typename Widget>
+    Widget *refreshed(Widget *widget);
+    static QWidget *makeParameters(MainWindow &window);
+    static QWidget *makePlots(MainWindow &window);
+    static QWidget *makeComparison(MainWindow &window);
     void arrangeOnCall(std::span<const DockRow> rows);
     void addDockAction(QDockWidget &dock, int number, double share);
     void showDock(QDockWidget &dock, double share);
@@ -223,23 +227,20 @@ private:
     PlotStack *m_plots = nullptr;
     PlotPanel *m_plotPanel = nullptr;
     ComparisonDock *m_comparison = nullptr;
-    LevelPanel *m_levels = nullptr;
     BallDragger *m_hand = nullptr;
     Ruler *m_ruler = nullptr;
     MazeWatcher *m_mazeWatcher = nullptr;
     DocumentDialog *m_documents = nullptr; ///< created on demand
-    BallDock *m_ball = nullptr;
     TrackDock *m_track = nullptr;
     TradeDock *m_trade = nullptr;
     BounceDock *m_bounces = nullptr;
-    RunDock *m_runs = nullptr;
-    WatchList *m_watched = nullptr;
     QAction *m_showsBounces = nullptr;
     TransportBar *m_transport = nullptr;
     TimeBar *m_time = nullptr;
     StatusLine *m_status = nullptr;
     QByteArray m_firstLayout; ///< of docks and bars, before the user moved them
     uint64_t m_drawn = 0;     ///< sum of the versions of what the view shows
+    int m_layoutVersion = 0;  ///< stored layouts with other docks have another one, and are discarded
     bool m_wasShown = false;
     bool m_awaitsItsSize = false;
     QTimer m_refresh;

@@ -7,7 +7,7 @@
 #include "ui/comparison/comparison_dock.h"
 #include "ui/comparison/distance_plot.h"
 #include "ui/game/game_strip.h"
-#include "ui/input/parts_in_turn.h"
+#include "ui/input/keyboard_focus.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/message_bar.h"

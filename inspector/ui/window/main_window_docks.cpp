@@ -6,7 +6,7 @@
 #include "ui/bounces/bounce_dock.h"
 #include "ui/comparison/comparison_dock.h"
 #include "ui/game/level_panel.h"
-#include "ui/input/parts_in_turn.h"
+#include "ui/input/keyboard_focus.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parts/dock_room.h"
 #include "ui/parts/settings_keys.h"
@@ -45,7 +45,6 @@ constexpr double kComparisonShare = 0.34;
 constexpr double kBouncesShare = 0.42;
 constexpr double kBouncesWidth = 0.36; ///< share of the window's width, next to the plots
 constexpr int kRoomBesidePlots = 1000; ///< logical pixels of the window's width, else the bounces are tabbed with them
-constexpr int kLayoutVersion = 7;      ///< a new number invalidates stored layouts with other docks
 
 } // namespace
 
@@ -56,7 +55,7 @@ struct MainWindow::DockRow {
     Qt::DockWidgetArea area;
     double
         share; ///< on call, in the place of the plot: of the window's height that it then gets; 0: there from the start
-    QWidget *(*widget)(MainWindow &window);
+    QWidget *(*make)(MainWindow &window);
 };
 
 namespace {
@@ -83,53 +82,72 @@ QWidget *scrolled(QWidget *content) {
 }
 } // namespace
 
+/// Shows what changes without the user, by its refresh().
+template<typename Widget>
+Widget *MainWindow::refreshed(Widget *widget) {
+    connect(this, &MainWindow::refreshing, widget, &Widget::refresh);
+    return widget;
+}
+
+QWidget *MainWindow::makeParameters(MainWindow &window) {
+    const ParameterPanel::Actions actions{*window.action("ghost_parameters"), *window.action("copy_to_ghost"),
+                                          *window.action("swap_with_ghost")};
+    return window.m_parameters = new ParameterPanel(window.m_session, *window.m_undo, actions);
+}
+
+QWidget *MainWindow::makePlots(MainWindow &window) {
+    window.m_plots = new PlotStack(window.m_session.simulation().samples(), window.m_session.settings());
+    return window.m_plotPanel = new PlotPanel(window.m_plots, window.m_plots->time(), QStringLiteral("plot"));
+}
+
+QWidget *MainWindow::makeComparison(MainWindow &window) {
+    const ComparisonDock::Actions actions{*window.action("compare"), *window.action("meet_again"),
+                                          *window.action("ghost_parameters")};
+    return window.m_comparison = window.refreshed(new ComparisonDock(window.m_session, actions));
+}
+
 void MainWindow::makeDocks() {
-    m_parameters = new ParameterPanel(
-        m_session, *m_undo, {*action("ghost_parameters"), *action("copy_to_ghost"), *action("swap_with_ghost")});
-    m_plots = new PlotStack(m_session.simulation().samples(), m_session.settings());
-    m_plotPanel = new PlotPanel(m_plots, m_plots->time(), QStringLiteral("plot"));
-    m_levels = new LevelPanel(m_session);
-    m_comparison = new ComparisonDock(
-        m_session, ComparisonDock::Actions{*action("compare"), *action("meet_again"), *action("ghost_parameters")});
-    m_bounces = new BounceDock(m_session);
-    m_runs = new RunDock(m_session);
-    m_watched = new WatchList(m_session);
-    m_ball = new BallDock(m_session, *m_undo);
-    m_track = new TrackDock(m_session, *m_undo);
-    m_trade = new TradeDock(m_session, *m_undo);
     static const DockRow rows[] = {
-        {kParametersDock, QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0,
-         [](MainWindow &window) -> QWidget * { return window.m_parameters; }},
+        {kParametersDock, QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0, &MainWindow::makeParameters},
         {kLevelsDock, QT_TR_NOOP("Levels"), Qt::RightDockWidgetArea, 0.0,
-         [](MainWindow &window) -> QWidget * { return window.m_levels; }},
-        {kPlotsDock, QT_TR_NOOP("Plots"), Qt::BottomDockWidgetArea, 0.0,
-         [](MainWindow &window) -> QWidget * { return window.m_plotPanel; }},
+         [](MainWindow &window) -> QWidget * { return new LevelPanel(window.m_session); }},
+        {kPlotsDock, QT_TR_NOOP("Plots"), Qt::BottomDockWidgetArea, 0.0, &MainWindow::makePlots},
         {"trade_dock", QT_TR_NOOP("Trade"), Qt::BottomDockWidgetArea, kTradeShare,
-         [](MainWindow &window) -> QWidget * { return window.m_trade; }},
+         [](MainWindow &window) -> QWidget * {
+             return window.m_trade = new TradeDock(window.m_session, *window.m_undo);
+         }},
         {kComparisonDock, QT_TR_NOOP("Comparison"), Qt::BottomDockWidgetArea, kComparisonShare,
-         [](MainWindow &window) -> QWidget * { return window.m_comparison; }},
+         &MainWindow::makeComparison},
         {kBouncesDock, QT_TR_NOOP("Bounces"), Qt::BottomDockWidgetArea, kBouncesShare,
-         [](MainWindow &window) -> QWidget * { return window.m_bounces; }},
+         [](MainWindow &window) -> QWidget * { return window.m_bounces = new BounceDock(window.m_session); }},
         {kTrackDock, QT_TR_NOOP("Measured ball"), Qt::BottomDockWidgetArea, kTrackShare,
-         [](MainWindow &window) -> QWidget * { return window.m_track; }},
+         [](MainWindow &window) -> QWidget * {
+             return window.m_track = new TrackDock(window.m_session, *window.m_undo);
+         }},
         {"runs_dock", QT_TR_NOOP("Runs"), Qt::BottomDockWidgetArea, kComparisonShare,
-         [](MainWindow &window) -> QWidget * { return window.m_runs; }},
+         [](MainWindow &window) -> QWidget * { return window.refreshed(new RunDock(window.m_session)); }},
         {"watch_dock", QT_TR_NOOP("Watch"), Qt::RightDockWidgetArea, kComparisonShare,
-         [](MainWindow &window) -> QWidget * { return window.m_watched; }},
+         [](MainWindow &window) -> QWidget * { return window.refreshed(new WatchList(window.m_session)); }},
         {"ball_dock", QT_TR_NOOP("Ball"), Qt::RightDockWidgetArea, kComparisonShare,
-         [](MainWindow &window) -> QWidget * { return window.m_ball; }},
+         [](MainWindow &window) -> QWidget * {
+             return window.refreshed(new BallDock(window.m_session, *window.m_undo));
+         }},
     };
     int number = 0;
+    QByteArray names;
     for (const DockRow &row : rows) {
+        names += row.name;
         auto *dock = new QDockWidget(tr(row.title), this);
         dock->setObjectName(QLatin1String(row.name));
-        dock->setWidget(row.share > 0.0 ? scrolled(row.widget(*this)) : row.widget(*this));
+        QWidget *content = row.make(*this);
+        dock->setWidget(row.share > 0.0 ? scrolled(content) : content);
         addDockWidget(row.area, dock);
         addDockAction(*dock, ++number, row.share);
         if (row.share == 0.0) continue;
         m_onCall += dock;
         dock->hide();
     }
+    m_layoutVersion = qChecksum(names);
     arrangeOnCall(rows);
 }
 
@@ -251,7 +269,7 @@ void MainWindow::restoreLook() {
     const QSize available = roomFor(*this);
     resize(kUsualWindowSize.expandedTo(available * kWindowShare).boundedTo(available));
     arrangeDocks();
-    m_firstLayout = saveState(kLayoutVersion);
+    m_firstLayout = saveState(m_layoutVersion);
     restoreGeometry(storedBytes(settings, settings_keys::kGeometry));
     fitScreen();
     restoreDocks();
@@ -272,7 +290,7 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::resetLayout() {
-    restoreState(m_firstLayout, kLayoutVersion);
+    restoreState(m_firstLayout, m_layoutVersion);
     m_dockRoom->forget();
     arrangeDocks();
     m_plots->reset();
@@ -295,7 +313,7 @@ void MainWindow::arrangeDocks() {
 /// saved to other docks.
 void MainWindow::restoreDocks() {
     const QSettings &settings = m_session.settings();
-    if (restoreState(storedBytes(settings, settings_keys::kLayout), kLayoutVersion))
+    if (restoreState(storedBytes(settings, settings_keys::kLayout), m_layoutVersion))
         m_dockRoom->restore(settings.value(settings_keys::kDockRoom).toStringList());
 }
 
@@ -312,7 +330,7 @@ void MainWindow::bringFloatingDocksUp() {
 void MainWindow::closeEvent(QCloseEvent *event) {
     QSettings &settings = m_session.settings();
     storeBytes(settings, settings_keys::kGeometry, saveGeometry());
-    storeBytes(settings, settings_keys::kLayout, saveState(kLayoutVersion));
+    storeBytes(settings, settings_keys::kLayout, saveState(m_layoutVersion));
     settings.setValue(settings_keys::kDockRoom, m_dockRoom->stored());
     m_session.simulation().pause();
     QMainWindow::closeEvent(event);

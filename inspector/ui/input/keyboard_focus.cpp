@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/input/parts_in_turn.h"
+#include "ui/input/keyboard_focus.h"
 
 #include <QAction>
 #include <QApplication>
