@@ -161,19 +161,28 @@ void BounceDock::makeTable() {
     QHeaderView *header = m_table->horizontalHeader();
     header->setHighlightSections(false);
     header->setStretchLastSection(true);
+    m_table->verticalHeader()->hide();
+    fitTable();
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BounceDock::showSelected);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &BounceDock::showSelected);
+}
+
+void BounceDock::fitTable() {
     // As wide as the longest expected text, so that columns keep their widths while rows arrive.
     const QStringList widest{QStringLiteral("000.0000"), {}, QStringLiteral("000")};
     for (int column = 0; column < m_events->columnCount(); ++column) {
         const QString title = m_events->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         const QString text = widest.value(column, QStringLiteral("00.0000"));
-        header->resizeSection(
+        m_table->horizontalHeader()->resizeSection(
             column, std::max(fontMetrics().horizontalAdvance(title), fontMetrics().horizontalAdvance(text)) + 16);
     }
     fitWhat();
-    m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BounceDock::showSelected);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &BounceDock::showSelected);
+}
+
+void BounceDock::changeEvent(QEvent *event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitTable();
 }
 
 /// Gives way to the figures where the dock is narrow; a tool tip has the whole text.

@@ -51,10 +51,12 @@ signals:
 
 protected:
     bool eventFilter(QObject *object, QEvent *event) override;
+    void changeEvent(QEvent *event) override;
 
 private:
     QCheckBox *addFilter(const QString &text, const char *name, const QString &tip);
     void makeTable();
+    void fitTable();
     void fitWhat();
     void applyFilter();
     void showSelected();

@@ -201,12 +201,9 @@ GameStrip::GameStrip(QWidget *parent)
     , m_clock(new QLabel)
     , m_close(new QToolButton) {
     setObjectName(QStringLiteral("game_strip"));
-    m_title->setFont(scaled(font(), 1.15, true));
-    m_line->setFont(scaled(font(), 1.15, false));
     for (ElidedLabel *label : {m_title, m_line}) label->setWidest({}); // as wide as their texts if there is room
     m_title->setLeast(int(tr("Level 10 done").size()));
     m_hint->setForegroundRole(QPalette::PlaceholderText);
-    m_clock->setFont(scaled(QFontDatabase::systemFont(QFontDatabase::FixedFont), 1.3, true));
     m_close->setObjectName(QStringLiteral("game_strip_close"));
     m_close->setIcon(glyphIcon(Glyph::Close));
     m_close->setToolTip(tr("Close (Esc)"));
@@ -221,9 +218,23 @@ GameStrip::GameStrip(QWidget *parent)
     layout->addWidget(flowOf({m_title, m_line, m_hint}), 1, Qt::AlignVCenter); // more lines where there is no room
     layout->addWidget(m_close);
     layout->addWidget(m_clock);
-    setMinimumHeight(std::max(m_clock->sizeHint().height(), m_close->sizeHint().height()) + 6);
+    takeFont();
     show(GameText{});
     QFrame::show();
+}
+
+void GameStrip::takeFont() {
+    m_title->setFont(scaled(font(), 1.15, true));
+    m_line->setFont(scaled(font(), 1.15, false));
+    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    digits.setPointSizeF(font().pointSizeF());
+    m_clock->setFont(scaled(digits, 1.3, true));
+    setMinimumHeight(std::max(m_clock->sizeHint().height(), m_close->sizeHint().height()) + 6);
+}
+
+void GameStrip::changeEvent(QEvent *event) {
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::FontChange) takeFont();
 }
 
 void GameStrip::setText(const GameText &text) {

@@ -42,10 +42,12 @@ public:
     bool dismiss();
 
 protected:
+    void changeEvent(QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
 
 private:
     void show(const GameText &text);
+    void takeFont();
 
     GameText m_text;
     GameText m_dismissed;

@@ -22,10 +22,8 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
     header()->setSectionsMovable(false);
     setColumnWidth(0, 130);
     setUniformRowHeights(true);
-    for (const Level &level : session.levels()) {
-        auto *item = new QTreeWidgetItem(this, {levelTitle(session, level)});
-        item->setSizeHint(0, {1, fontMetrics().height() + 7});
-    }
+    for (const Level &level : session.levels()) new QTreeWidgetItem(this, {levelTitle(session, level)});
+    fitRows();
 
     connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem *item) {
         m_session.game().choose(indexOfTopLevelItem(item));
@@ -35,6 +33,15 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
     connect(&session, &Session::levelOpened, this, &LevelPanel::showState);
     connect(&session.game(), &Game::phaseChanged, this, &LevelPanel::showState);
     showState();
+}
+
+void LevelPanel::fitRows() {
+    for (int i = 0; i < topLevelItemCount(); ++i) topLevelItem(i)->setSizeHint(0, {1, fontMetrics().height() + 7});
+}
+
+void LevelPanel::changeEvent(QEvent *event) {
+    QTreeWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitRows();
 }
 
 void LevelPanel::showState() {

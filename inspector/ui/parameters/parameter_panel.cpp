@@ -76,6 +76,9 @@ QSize ParameterPanel::sizeHint() const {
 
 void ParameterPanel::changeEvent(QEvent *event) {
     QScrollArea::changeEvent(event);
+    // The rows take the font later.
+    if (event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &ParameterPanel::fitWidth, Qt::QueuedConnection);
     if (event->type() != QEvent::PaletteChange || m_ball.rows.empty()) return;
     updateLocks(); // the theme may have changed
     for (ParameterRow *row : m_ghost.rows)
@@ -107,8 +110,12 @@ void ParameterPanel::rebuild() {
     }
     addResetAll(*grid, line);
     setWidget(page); // deletes the previous page
-    setMinimumWidth(page->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    fitWidth();
     showGhost();
+}
+
+void ParameterPanel::fitWidth() {
+    setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
 }
 
 void ParameterPanel::addRow(Side &side, int index, QGridLayout &grid, int line) {

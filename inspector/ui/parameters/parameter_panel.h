@@ -58,6 +58,7 @@ private:
     };
 
     void rebuild();
+    void fitWidth();
     void addRow(Side &side, int index, QGridLayout &grid, int line);
     QWidget *makeHead();
     void useSet(Side &side, const ParameterSet &set);

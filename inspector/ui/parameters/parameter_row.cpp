@@ -102,7 +102,7 @@ void ParameterRow::addNumber(QGridLayout &grid, int line) {
     NumberBox::Kind kind = numberKind({m_row.min, m_row.max, QString::fromUtf8(m_row.unit)}, m_row.step);
     kind.widest = kind.show(12.34);
     m_box->setKind(std::move(kind));
-    m_box->setMinimumWidth(m_box->sizeHint().width());
+    m_box->setSizePolicy(QSizePolicy::MinimumExpanding, QSizePolicy::Fixed);
     adopt(m_box, "_box");
 
     connect(slider, &QSlider::sliderPressed, this, &ParameterRow::gestureBegun);

@@ -10,6 +10,7 @@ inline const QString kGeometry = QStringLiteral("window/geometry");
 inline const QString kLayout = QStringLiteral("window/layout");
 inline const QString kDockRoom = QStringLiteral("window/dock_room"); ///< across the docks of each area
 inline const QString kTheme = QStringLiteral("window/theme");        ///< number of a Theme
+inline const QString kTextSize = QStringLiteral("window/text_size"); ///< number of one of kTextScales
 inline const QString kQuality = QStringLiteral("window/quality"); ///< number of a gl::Quality; absent: the view chooses
 inline const QString kPictureScale = QStringLiteral("window/picture_scale"); ///< 1 to 4 pixels per pixel of the view
 inline const QString kPlots = QStringLiteral("window/plots");                ///< what each shows

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QFont>
 #include <QProxyStyle>
 #include <QStyleOptionButton>
 #include <QWidget>
@@ -16,11 +17,12 @@ namespace {
 struct SystemLook {
     QPalette palette;
     QString style;
+    QFont font;
 };
 
-/// The desktop's style and palette, before any theme was chosen.
+/// The desktop's style, palette and font, before any others were chosen.
 const SystemLook &systemLook() {
-    static const SystemLook look{QApplication::palette(), QApplication::style()->objectName()};
+    static const SystemLook look{QApplication::palette(), QApplication::style()->objectName(), QApplication::font()};
     return look;
 }
 
@@ -97,6 +99,12 @@ void applyTheme(Theme theme) {
     // Only Fusion respects every palette; desktop styles use their own colours.
     QApplication::setStyle(new ThemeStyle);
     QApplication::setPalette(paletteOf(theme == Theme::Dark ? kDark : kLight));
+}
+
+void applyTextScale(double scale) {
+    QFont font = systemLook().font;
+    font.setPointSizeF(scale * font.pointSizeF());
+    if (font != QApplication::font()) QApplication::setFont(font);
 }
 
 bool isDark(const QPalette &palette) {

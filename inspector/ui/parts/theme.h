@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light or dark theme: one palette from which all widgets, icons, plots and the 3D view take their colours.
+// Light or dark theme: one palette from which all widgets, icons, plots and the 3D view take their colours. And the
+// size of the texts.
 #pragma once
 
 #include <QColor>
 #include <QObject>
 #include <QPalette>
 #include <QString>
+
+#include <array>
 
 class QWidget;
 
@@ -15,6 +18,10 @@ enum class Theme { System, Light, Dark };
 inline constexpr int kThemeCount = 3;
 
 void applyTheme(Theme theme);
+
+/// Sizes of the texts, relative to the system's: the last ones are read from the back of a room.
+inline constexpr std::array kTextScales{1.0, 1.25, 1.5, 2.0};
+void applyTextScale(double scale);
 
 /// A desktop's palette, whose hints in empty fields are readable: some desktops leave them black in dark windows.
 QPalette completed(QPalette desktops);

@@ -56,6 +56,7 @@ MainWindow::MainWindow(Session &session, gl::Drawing drawing)
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     applyTheme(Theme(theme()));
+    applyTextScale(kTextScales[size_t(textSize())]);
     makeActions();
     makeCentre(drawing);
     m_dockRoom = new DockRoom(*this, *m_view);

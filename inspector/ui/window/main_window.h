@@ -164,6 +164,8 @@ private:
     void useQuality();
     int pictureScale() const;
     void choosePictureScale(int number);
+    int textSize() const;
+    void chooseTextSize(int number);
     int theme() const;
     void chooseTheme(int number);
 
@@ -238,9 +240,9 @@ private:
     TransportBar *m_transport = nullptr;
     TimeBar *m_time = nullptr;
     StatusLine *m_status = nullptr;
+    int m_layoutVersion = 0;  ///< stored layouts with other docks have another one, and are discarded
     QByteArray m_firstLayout; ///< of docks and bars, before the user moved them
     uint64_t m_drawn = 0;     ///< sum of the versions of what the view shows
-    int m_layoutVersion = 0;  ///< stored layouts with other docks have another one, and are discarded
     bool m_wasShown = false;
     bool m_awaitsItsSize = false;
     QTimer m_refresh;

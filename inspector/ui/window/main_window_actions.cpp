@@ -260,6 +260,9 @@ void MainWindow::addViewChoices(QMenu &menu) {
     addChoice(*menu.addMenu(tr("Size of saved pictures")), "picture_scale",
               {tr("As the view"), tr("2 times"), tr("3 times"), tr("4 times")}, &MainWindow::pictureScale,
               &MainWindow::choosePictureScale);
+    addChoice(*menu.addMenu(tr("Text size")), "text_size",
+              {tr("As the system"), tr("Larger"), tr("Large"), tr("Double")}, &MainWindow::textSize,
+              &MainWindow::chooseTextSize);
     addChoice(*menu.addMenu(tr("Theme")), "theme", {tr("As the system"), tr("Light"), tr("Dark")}, &MainWindow::theme,
               &MainWindow::chooseTheme);
 }
@@ -290,6 +293,15 @@ int MainWindow::pictureScale() const {
 
 void MainWindow::choosePictureScale(int number) {
     m_session.settings().setValue(settings_keys::kPictureScale, number + 1);
+}
+
+int MainWindow::textSize() const {
+    return storedChoice(m_session.settings(), settings_keys::kTextSize, int(kTextScales.size())).value_or(0);
+}
+
+void MainWindow::chooseTextSize(int number) {
+    m_session.settings().setValue(settings_keys::kTextSize, number);
+    applyTextScale(kTextScales[size_t(number)]);
 }
 
 int MainWindow::theme() const {

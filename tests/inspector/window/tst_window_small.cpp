@@ -5,6 +5,7 @@
 
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -46,6 +47,8 @@ private slots:
     void dockBesideTheBouncesIsWhole_data();
     void dockBesideTheBouncesIsWhole();
     void legendIsWholeInANarrowPlot();
+    void legendOfANarrowComparisonIsOneLine();
+    void largerTextLeavesNumbersWhole();
     void legendOfALowPlotIsWholeOrLeftOut();
     void legendLeavesASmallPlotToItsCurves();
     void hintIsWholeInAPlotThatBecameNarrow();
@@ -310,6 +313,30 @@ void TestWindowSmall::legendIsWholeInANarrowPlot() {
     QTRY_VERIFY(plot->width() < 400);
     QTRY_VERIFY(isWhole());
     QVERIFY(plot->legend->rowCount() <= 2);
+}
+
+void TestWindowSmall::legendOfANarrowComparisonIsOneLine() {
+    m_fixture->trigger("show_comparison_dock");
+    m_fixture->trigger("compare");
+    m_fixture->makeSteps(20);
+    auto *plot = m_fixture->find<QCustomPlot>("distance_plot");
+    QTRY_VERIFY(plot->isVisible());
+    plot->setFixedWidth(450);
+    QTRY_COMPARE(plot->width(), 450);
+    m_fixture->window().refresh();
+    QCOMPARE(plot->legend->rowCount(), 1);
+}
+
+void TestWindowSmall::largerTextLeavesNumbersWhole() {
+    const auto *box = m_fixture->find<QLineEdit>("gravity_box");
+    const int before = box->fontMetrics().height();
+    const auto isWhole = [&] {
+        return box->fontMetrics().height() > before && box->fontMetrics().horizontalAdvance(box->text()) < box->width();
+    };
+    m_fixture->trigger("text_size_3");
+    QTRY_VERIFY2(isWhole(), qPrintable(QString::number(box->width())));
+    m_fixture->trigger("text_size_0");
+    QTRY_COMPARE(box->fontMetrics().height(), before);
 }
 
 // In one line and in two.
