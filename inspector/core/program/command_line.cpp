@@ -172,19 +172,10 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
     options.shaders = parser.value("shaders");
     if (parser.isSet("shaders") && !isFolder(options.shaders))
         throw WrongUse{QStringLiteral("--shaders: expected a folder, found %1").arg(foundText(options.shaders))};
-    for (const char *name : {"csv", "csv-every", "level"})
-        if (parser.isSet("all-levels") && parser.isSet(name))
-            throw WrongUse{QStringLiteral("--all-levels: doesn't go with --%1").arg(name)};
 }
 
 void readComparison(const QCommandLineParser &parser, Options &options) {
-    if (!parser.isSet("compare")) {
-        for (const char *name : {"compare-substeps", "compare-set"})
-            if (parser.isSet(name)) throw WrongUse{QStringLiteral("--%1: needs --compare").arg(name)};
-        return;
-    }
-    for (const char *name : {"all-levels", "trade"})
-        if (parser.isSet(name)) throw WrongUse{QStringLiteral("--compare: doesn't go with --%1").arg(name)};
+    if (!parser.isSet("compare")) return;
     if (!options.replay.isEmpty() && (options.headless || parser.isSet("check")))
         throw WrongUse{QStringLiteral("--compare: goes with --replay in the window only")};
     GhostChoice ghostChoice{parser.value("compare").toUtf8()};
@@ -226,9 +217,6 @@ void readGhostsParameters(const QCommandLineParser &parser, Options &options) {
 
 void readRecordings(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
                     Options &options) {
-    for (const char *name : {"all-levels", "trade"})
-        if (parser.isSet("record") && parser.isSet(name))
-            throw WrongUse{QStringLiteral("--record: doesn't go with --%1").arg(name)};
     if (parser.isSet("record") && !options.replay.isEmpty())
         throw WrongUse{QStringLiteral("--record: doesn't go with --replay")};
     options.record = parser.value("record");
@@ -253,19 +241,6 @@ void readRecordings(const QCommandLineParser &parser, const std::vector<const ph
     options.headless = !isWatched;
 }
 
-/// Checks options that need --trade, and those that exclude it.
-void checkTradeWords(const QCommandLineParser &parser) {
-    const bool trades = parser.isSet("trade");
-    for (const char *name :
-         {"schedule", "steps", "under", "for", "within", "plot", "unknown", "share", "with-orientation"})
-        if (!trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--%1: needs --trade").arg(name)};
-    for (const char *name :
-         {"level", "stepper", "dt", "speed", "all-levels", "autopilot", "csv-every", "grab", "shaders", "view"})
-        if (trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--trade: doesn't go with --%1").arg(name)};
-    if (parser.isSet("within") && (parser.isSet("under") || parser.isSet("for")))
-        throw WrongUse{QStringLiteral("--within: takes neither --under nor --for")};
-}
-
 void readUnknowns(const QCommandLineParser &parser, TradeOptions &trade) {
     QString error;
     const QString words = parser.isSet("unknown") ? parser.value("unknown") : usualUnknowns();
@@ -276,7 +251,6 @@ void readUnknowns(const QCommandLineParser &parser, TradeOptions &trade) {
 }
 
 void readTrade(const QCommandLineParser &parser, Options &options) {
-    checkTradeWords(parser);
     if (!parser.isSet("trade")) return;
     const auto wrong = [&](const char *name, const char *expected) {
         return WrongUse{
@@ -365,12 +339,7 @@ void readTrackOfWindow(const QCommandLineParser &parser, const QString &file, Op
 }
 
 void readFit(const QCommandLineParser &parser, Options &options) {
-    const bool fits = parser.isSet("fit");
-    if (!fits && parser.isSet("fit-for")) throw WrongUse{QStringLiteral("--fit-for: needs --fit")};
-    if (!fits) return;
-    for (const char *name : {"trade", "replay", "record", "compare", "stepper", "dt", "speed", "duration", "all-levels",
-                             "autopilot", "csv-every", "grab", "shaders", "view", "track"})
-        if (parser.isSet(name)) throw WrongUse{QStringLiteral("--fit: doesn't go with --%1").arg(name)};
+    if (!parser.isSet("fit")) return;
     QString error;
     options.action = Options::Action::Fit;
     options.headless = true;
@@ -403,6 +372,7 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     options.registry = registry;
     options.plugins = plugins;
     checkGivenOnce(parser);
+    if (const QString conflict = conflictOf(parser); !conflict.isEmpty()) throw WrongUse{conflict};
     const QString file = fileOf(parser);
     const QString track = isTrackFile(file) ? file : QString();
     if (isRecordingFile(file)) options.replay = file;

@@ -171,6 +171,37 @@ void addListOptions(QCommandLineParser &parser) {
     });
 }
 
+/// An option and others that depend on it, or exclude it.
+struct OptionRule {
+    QString option;
+    QStringList others;
+};
+
+/// The others have no effect without the option.
+const std::vector<OptionRule> &dependentOptions() {
+    static const std::vector<OptionRule> rules{
+        {"compare", {"compare-substeps", "compare-set"}},
+        {"trade", {"schedule", "steps", "under", "for", "within", "plot", "unknown", "share", "with-orientation"}},
+        {"fit", {"fit-for"}},
+    };
+    return rules;
+}
+
+/// The option decides what the others would set, or writes none of what they ask for.
+const std::vector<OptionRule> &exclusiveOptions() {
+    static const std::vector<OptionRule> rules{
+        {"all-levels", {"csv", "csv-every", "level"}},
+        {"compare", {"all-levels", "trade"}},
+        {"record", {"all-levels", "trade"}},
+        {"trade",
+         {"level", "stepper", "dt", "speed", "all-levels", "autopilot", "csv-every", "grab", "shaders", "view"}},
+        {"fit",
+         {"trade", "replay", "record", "compare", "stepper", "dt", "speed", "duration", "all-levels", "autopilot",
+          "csv-every", "grab", "shaders", "view", "track"}},
+    };
+    return rules;
+}
+
 } // namespace
 
 QString dashed(QString id) { return id.replace(QLatin1Char('_'), QLatin1Char('-')); }
@@ -188,6 +219,20 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
     parser.addVersionOption();
     parser.addOption({{"h", "help"}, utf8("Print this help.")});
     for (const phys_param_row *row : rows) parser.addOption({optionName(*row), utf8(row->help), valueName(*row)});
+}
+
+QString conflictOf(const QCommandLineParser &parser) {
+    for (const auto &[option, others] : dependentOptions())
+        for (const QString &other : others)
+            if (parser.isSet(other) && !parser.isSet(option))
+                return QStringLiteral("--%1: needs --%2").arg(other, option);
+    for (const auto &[option, others] : exclusiveOptions())
+        for (const QString &other : others)
+            if (parser.isSet(other) && parser.isSet(option))
+                return QStringLiteral("--%1: doesn't go with --%2").arg(option, other);
+    if (parser.isSet("within") && (parser.isSet("under") || parser.isSet("for")))
+        return QStringLiteral("--within: takes neither --under nor --for");
+    return {};
 }
 
 } // namespace inspector

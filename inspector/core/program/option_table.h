@@ -21,4 +21,8 @@ QString optionName(const phys_param_row &row);
 /// Adds all options. rows: those of the parameters, which become options, too.
 void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows);
 
+/// Which of the given options don't go together, in one line; empty if all do. What depends on an option's value or on
+/// the file to open is checked where that is read.
+QString conflictOf(const QCommandLineParser &parser);
+
 } // namespace inspector
