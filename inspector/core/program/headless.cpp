@@ -121,10 +121,7 @@ std::unique_ptr<Engine> makeEngine(const Options &options, const Level &level, Q
     if (!stepper) return nullptr;
 
     Parameters parameters;
-    phys_stepper_info info;
-    if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, nullptr) == PHYS_OK)
-        parameters.setStepper(info);
-    if (!parameters.set(options.settings, error)) return nullptr;
+    if (!setParameters(options, parameters, error)) return nullptr;
 
     auto engine = std::make_unique<Engine>(scene, stepper);
     engine->setDt(options.dt);

@@ -5,6 +5,13 @@
 
 namespace inspector {
 
+bool setParameters(const Options &options, Parameters &parameters, QString *error) {
+    phys_stepper_info info;
+    if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, nullptr) == PHYS_OK)
+        parameters.setStepper(info);
+    return parameters.set(options.settings, error);
+}
+
 std::optional<Inputs> ghostsInputs(const Options &options, QString *error) {
     Parameters parameters;
     phys_stepper_info info;

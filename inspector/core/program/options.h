@@ -61,6 +61,10 @@ struct Options {
     QString shaders;        ///< folder of files that replace the embedded ones; empty: none
 };
 
+/// Sets the rows of the options' stepper, and then the options' values. Returns false, with one line in `error` (may be
+/// nullptr), if those are invalid.
+bool setParameters(const Options &options, Parameters &parameters, QString *error);
+
 /// The second ball's inputs from comparisonSettings, except for the tilt. Returns nothing, with one line in `error`, if
 /// they are invalid.
 std::optional<Inputs> ghostsInputs(const Options &options, QString *error);

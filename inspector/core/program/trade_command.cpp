@@ -30,10 +30,7 @@ TradePlan tradePlanOf(const Options &options) {
     if (!plan.scene) throw Failure{2, error};
     // The values of the command line; steppers' own values are initial here, where all steppers run.
     Parameters parameters;
-    phys_stepper_info info;
-    if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, nullptr) == PHYS_OK)
-        parameters.setStepper(info);
-    if (!parameters.set(options.settings, &error)) throw Failure{2, error};
+    if (!setParameters(options, parameters, &error)) throw Failure{2, error};
     plan.inputs = parameters.inputs();
     const TradeOptions &wish = options.trade;
     plan.stepSizes = wish.stepSizes;

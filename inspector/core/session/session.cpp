@@ -42,10 +42,7 @@ std::unique_ptr<Session> Session::open(const Options &options, QSettings &settin
     if (!stepper) return nullptr;
 
     std::unique_ptr<Session> session(new Session(options, settings, scene, stepper));
-    phys_stepper_info info;
-    if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, nullptr) == PHYS_OK)
-        session->m_parameters.setStepper(info);
-    if (!session->m_parameters.set(options.settings, error)) return nullptr;
+    if (!setParameters(options, session->m_parameters, error)) return nullptr;
     if (options.autopilot && !session->fly(error)) return nullptr;
     session->m_simulation->setDt(options.dt);
     session->m_simulation->setSpeed(options.speed);
