@@ -173,6 +173,15 @@ std::unique_ptr<OutputFile> openTable(const QString &path, const QByteArray &set
     return nullptr;
 }
 
+bool writeTable(const QString &path, const QByteArray &table, const QByteArray &settings, QString *error) {
+    const std::unique_ptr<OutputFile> file = openTable(path, settings, error);
+    if (!file) return false;
+    file->write(table);
+    if (file->finish()) return true;
+    if (error) *error = file->problem();
+    return false;
+}
+
 bool writeTable(const QString &path, const SampleRing &samples, const TableShape &shape, const QByteArray &settings,
                 QString *error) {
     if (samples.first() == samples.last()) {

@@ -48,6 +48,9 @@ bool saveSamples(const QString &path, const SampleRing &samples, double since, C
 /// Next to a file, under its name with .txt appended, the settings are written.
 std::unique_ptr<OutputFile> openTable(const QString &path, const QByteArray &settings, QString *error);
 
+/// Writes a whole table there. Returns false, with one line in `error` (may be nullptr), on failure.
+bool writeTable(const QString &path, const QByteArray &table, const QByteArray &settings, QString *error);
+
 /// Which columns and rows a table has.
 struct TableShape {
     Columns columns = Columns::Ball;

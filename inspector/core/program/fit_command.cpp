@@ -6,7 +6,6 @@
 #include "core/program/failure.h"
 #include "core/program/long_work.h"
 #include "core/program/outputs.h"
-#include "core/setup/files.h"
 #include "core/setup/lines.h"
 #include "core/setup/tables.h"
 #include "core/track/fit_report.h"
@@ -45,14 +44,6 @@ TrackFit measure(const FitPlan &plan, QTextStream *progress) {
     if (endingSignal()) throw Failure{statusAfter(endingSignal()), QStringLiteral("--fit: ended before its end")};
     if (!fit) throw Failure{2, QStringLiteral("--fit: ") + error};
     return std::move(*fit);
-}
-
-void writeTable(const QString &path, const QByteArray &table, const QByteArray &settings) {
-    QString error;
-    const std::unique_ptr<OutputFile> file = openTable(path, settings, &error);
-    if (!file) throw Failure{1, QStringLiteral("--csv: ") + error};
-    file->write(table);
-    if (!file->finish()) throw Failure{1, QStringLiteral("--csv: ") + file->problem()};
 }
 
 /// The tilt's offset and delay that were set: the command line can't do that.
@@ -98,8 +89,10 @@ int runFit(const Options &options, QIODevice &out, QTextStream &messages, QTextS
         for (const QString &line : report) text << oneLine(line) << '\n';
         text.flush();
         if (isCsv) out.write(fitCsv(fit.best()));
-        if (!isStandardOutput(options.csv))
-            writeTable(options.csv, fitCsv(fit.best()), fitSettings(options, plan, report));
+        QString error;
+        if (!isStandardOutput(options.csv) &&
+            !writeTable(options.csv, fitCsv(fit.best()), fitSettings(options, plan, report), &error))
+            throw Failure{1, QStringLiteral("--csv: ") + error};
         return fit.isExplained() ? 0 : 1;
     } catch (const Failure &failure) {
         report(messages, failure.line);

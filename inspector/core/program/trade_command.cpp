@@ -69,23 +69,18 @@ void writeFile(const QString &option, const QString &path, const QByteArray &byt
     throw Failure{1, option + QStringLiteral(": ") + (file ? file->problem() : error)};
 }
 
-void writeTable(const Options &options, const TradePlan &plan, const QByteArray &table) {
-    QString error;
-    const auto file = openTable(options.csv, tradeSettings(options, plan), &error);
-    if (file && file->write(table) == table.size() && file->finish()) return;
-    throw Failure{1, QStringLiteral("--csv: ") + (file ? file->problem() : error)};
-}
-
 void writeFiles(const Options &options, const TradePlan &plan, const TradeResult &result,
                 const TradePictureWriter &writePicture) {
     const QString option = QStringLiteral("--plot");
     const uint32_t model = plan.inputs.params.model;
     const QString &plot = options.trade.plot;
-    if (!isStandardOutput(options.csv)) writeTable(options, plan, tradeCsv(result.points));
+    QString error;
+    if (!isStandardOutput(options.csv) &&
+        !writeTable(options.csv, tradeCsv(result.points), tradeSettings(options, plan), &error))
+        throw Failure{1, QStringLiteral("--csv: ") + error};
     if (plot.isEmpty()) return;
     const ChartDescription chart = describeChart(plan, result, model, shownSchedule(result));
     if (plot.endsWith(QLatin1String(".svg"))) return writeFile(option, plot, tradeSvg(chart));
-    QString error;
     if (!writePicture(chart, plot, &error)) throw Failure{1, option + QStringLiteral(": ") + error};
 }
 
