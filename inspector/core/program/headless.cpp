@@ -5,6 +5,7 @@
 #include "core/pilot/autopilot.h"
 #include "core/program/csv_writer.h"
 #include "core/program/ending.h"
+#include "core/program/failure.h"
 #include "core/program/fit_command.h"
 #include "core/program/outputs.h"
 #include "core/program/replay_command.h"
@@ -75,15 +76,14 @@ bool endRecording(Recorder *recorder, const Engine &engine, const Outcome &outco
 /// The ghost of a run, if the options ask for one, and its summary.
 class ComparedBall {
 public:
-    /// Returns false, with one line, if it can't be made.
-    bool open(const Options &options, const Engine &engine, QTextStream &messages) {
-        if (!options.comparison) return true;
+    /// Throws Failure if it can't be made.
+    ComparedBall(const Options &options, const Engine &engine) {
+        if (!options.comparison) return;
         m_id = QString::fromUtf8(options.comparison->stepper);
         auto setup = makeGhostSetup(options.registry, *options.comparison, engine.scene(), &m_refusal);
-        if (setup && !options.comparisonSettings.empty()) setup->own = ghostsInputs(options, nullptr);
-        if (setup) m_ghost.emplace(engine, *setup, options.stepper);
-        if (!setup) report(messages, QStringLiteral("--compare: ") + m_refusal);
-        return setup.has_value();
+        if (!setup) throw Failure{2, QStringLiteral("--compare: ") + m_refusal};
+        if (!options.comparisonSettings.empty()) setup->own = ghostsInputs(options, nullptr);
+        m_ghost.emplace(engine, *setup, options.stepper);
     }
 
     /// Called after a step of the engine.
@@ -111,6 +111,52 @@ private:
     double m_largest = 0.0; ///< distance, m
     QString m_refusal;
 };
+
+/// An engine that has a step to make. Throws Failure.
+std::unique_ptr<Engine> openEngine(const Options &options) {
+    QString error;
+    std::unique_ptr<Engine> engine = makeEngine(options, options.level, &error);
+    if (!engine) throw Failure{2, error};
+    if (stepCount(durationOf(options), engine->dt()) < 1.0)
+        throw Failure{1, QStringLiteral("no step in %1 s: nothing to write").arg(durationOf(options))};
+    return engine;
+}
+
+/// The file for the table; nullptr: standard output. Throws Failure.
+std::unique_ptr<OutputFile> openTableFile(const Options &options) {
+    if (isStandardOutput(options.csv)) return nullptr;
+    QString error;
+    std::unique_ptr<OutputFile> file = openTable(options.csv, tableSettings(options), &error);
+    if (!file) throw Failure{2, QStringLiteral("--csv: ") + error};
+    return file;
+}
+
+/// Runs one level's ball and writes its table. Returns the exit status, or throws Failure if it can't begin.
+int runBall(const Options &options, QIODevice &out, QTextStream &messages) {
+    const std::unique_ptr<Engine> engine = openEngine(options);
+    ComparedBall other(options, *engine);
+    const std::unique_ptr<OutputFile> file = openTableFile(options);
+    const std::unique_ptr<Recorder> recorder = makeRecorder(options);
+    CsvWriter writer(file ? *file : out, tableShape(options));
+    const Limits limits{durationOf(options), options.duration.has_value()};
+    const Outcome outcome = play(*engine, limits, [&](const Engine &now) {
+        Sample sample = now.sample();
+        other.follow(now, sample);
+        writer.write(sample);
+        if (recorder) recorder->note(now);
+        return writer.isGood() && endingSignal() == 0;
+    });
+    const bool isRecorded = endRecording(recorder.get(), *engine, outcome, messages);
+    const bool isWhole = writer.isGood(); // otherwise the run ended early, as where a pipe was closed
+    if (isWhole) messages << outcomeLine(options.level, outcome) << '\n';
+    const bool isCompared = !isWhole || other.tell(messages);
+    const bool isWritten = file ? file->finish() : isWhole;
+    if (file && !isWritten) report(messages, QStringLiteral("--csv: ") + file->problem());
+    if (endingSignal()) return statusAfter(endingSignal());
+    const bool hadToWin = options.autopilot && !options.duration;
+    const bool hasFailed = !outcome.error.isEmpty() || (hadToWin && !outcome.isWon());
+    return hasFailed || !isWritten || !isRecorded || !isCompared ? 1 : 0;
+}
 
 } // namespace
 
@@ -154,46 +200,12 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages, Q
     if (options.action == Options::Action::PlayAllLevels) return playAllLevels(options, out);
     if (options.action == Options::Action::Replay) return runReplay(options, out, messages);
     if (options.action == Options::Action::Fit) return runFit(options, out, messages, progress);
-    QString error;
-    const std::unique_ptr<Engine> engine = makeEngine(options, options.level, &error);
-    if (!engine) {
-        report(messages, error);
-        return 2;
+    try {
+        return runBall(options, out, messages);
+    } catch (const Failure &failure) {
+        report(messages, failure.line);
+        return failure.status;
     }
-    if (stepCount(durationOf(options), engine->dt()) < 1.0) {
-        report(messages, QStringLiteral("no step in %1 s: nothing to write").arg(durationOf(options)));
-        return 1;
-    }
-    ComparedBall other;
-    if (!other.open(options, *engine, messages)) return 2;
-    const bool hasFile = !isStandardOutput(options.csv);
-    const std::unique_ptr<OutputFile> file = hasFile ? openTable(options.csv, tableSettings(options), &error) : nullptr;
-    if (hasFile && !file) {
-        report(messages, QStringLiteral("--csv: ") + error);
-        return 2;
-    }
-    QIODevice &table = hasFile ? *file : out;
-
-    const std::unique_ptr<Recorder> recorder = makeRecorder(options);
-    CsvWriter writer(table, tableShape(options));
-    const Limits limits{durationOf(options), options.duration.has_value()};
-    const Outcome outcome = play(*engine, limits, [&](const Engine &now) {
-        Sample sample = now.sample();
-        other.follow(now, sample);
-        writer.write(sample);
-        if (recorder) recorder->note(now);
-        return writer.isGood() && endingSignal() == 0;
-    });
-    const bool isRecorded = endRecording(recorder.get(), *engine, outcome, messages);
-    const bool isWhole = writer.isGood(); // otherwise the run ended early, as where a pipe was closed
-    if (isWhole) messages << outcomeLine(options.level, outcome) << '\n';
-    const bool isCompared = !isWhole || other.tell(messages);
-    const bool isWritten = hasFile ? file->finish() : writer.isGood();
-    if (hasFile && !isWritten) report(messages, QStringLiteral("--csv: ") + file->problem());
-    if (endingSignal()) return statusAfter(endingSignal());
-    const bool hadToWin = options.autopilot && !options.duration;
-    const bool hasFailed = !outcome.error.isEmpty() || (hadToWin && !outcome.isWon());
-    return hasFailed || !isWritten || !isRecorded || !isCompared ? 1 : 0;
 }
 
 } // namespace inspector
