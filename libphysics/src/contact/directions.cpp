@@ -357,7 +357,7 @@ bool settle(Combination &c, StuckForces &stuckForces) {
     if (glm::length(free) * c.moment.radius <= zero) return isSettled;
     sought.rolls = ground;
     isSettled = settleDirections(c, sought) && isSettled;
-    if (c.isHeld()) c.rest(ground, zero);
+    if (c.isHeld() && c.reactions[ground].pressure > zero) c.rest(ground, zero);
     return isSettled;
 }
 

@@ -121,10 +121,21 @@ bool lasts(const Combination &c, const Excluded &excluded, const Response &known
     return true;
 }
 
+/// Whether a contact is so rough that friction drives the ball though its pressure counts as none.
+bool isDrivenByNone(const Combination &c, double none) {
+    constexpr double kDriven = 100.0; // times that pressure
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (c.isOpen(i) || c.sticks(i) || c.reactions[i].pressure > none) continue;
+        if (c.held[i].friction * c.reactions[i].pressure > kDriven * none) return true;
+    }
+    return false;
+}
+
 /// Whether a combination presses less than the best one so far, or as much with more contacts.
 bool isBetter(const Combination &c, const Response &best, double scale) {
-    const double more = sumOfPressures(c.list()) - sumOfPressures(best.list());
-    return more < -1e-9 * scale || (more <= 1e-9 * scale && closedContacts(c.list()) > closedContacts(best.list()));
+    const double same = 1e-9 * scale, more = sumOfPressures(c.list()) - sumOfPressures(best.list());
+    if (more < -same) return true;
+    return more <= same && closedContacts(c.list()) > closedContacts(best.list()) && !isDrivenByNone(c, same);
 }
 
 /// Tries all combinations. Of those that fit best it takes the one with the smallest sum of N, and of equal sums the

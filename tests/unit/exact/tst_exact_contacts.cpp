@@ -39,6 +39,7 @@ private slots:
     void aHeldBallWhoseSlipStartsTurnsOn_data();
     void aHeldBallWhoseSlipStartsTurnsOn();
     void hopsBelowTheToleranceDontDependOnTheStep();
+    void aFloorWithoutPressureHoldsNoBall();
 };
 
 void ExactContacts::edgeIsHitByAParabola() {
@@ -412,6 +413,18 @@ void ExactContacts::hopsBelowTheToleranceDontDependOnTheStep() {
         return run.state.position.x;
     };
     QVERIFY(std::abs(after(1) - after(100)) <= 1e-9 * R);
+}
+
+/// model.md 2.1: resistance is in proportion to N, which is 0. The scene starts below the floor, so that gravity
+/// needn't pull down; it pulls along the floor and away from the edge of a roof.
+void ExactContacts::aFloorWithoutPressureHoldsNoBall() {
+    const double time = 0.0625, share = 5.0 / 7.0 * time;
+    Run run({{{-9, -9, 10}, {9, 9, 16}}, {{-2, -3, 17.6}, {-0.8, 3, 20}}}, 1.0, {0, 0, 17});
+    run.params.gravity = {1, 4, 0};
+    run.params.rolling_friction = 0.125;
+    run.step(time);
+    QVERIFY(exact::difference(run.state, 0.5 * share * time, 2.0 * share * time, share, 4.0 * share) <= 4.0 * kU);
+    QVERIFY(!(run.state.flags & PHYS_AT_REST));
 }
 
 QTEST_GUILESS_MAIN(ExactContacts)
