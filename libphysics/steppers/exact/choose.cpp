@@ -67,6 +67,51 @@ Vec3 findFree(const MovingBall &ball, const Touching &touching, Response &respon
     return freeAxes(ball.moment(), touching.held(), response);
 }
 
+/// Whether the ball moves round an edge or corner, not only along it.
+bool movesRound(const MovingBall &ball, const Held &held, const Response &response) {
+    if (isFace(held)) return false;
+    return glm::length(tangential(held.across * ball.motion.velocity, held.normal)) > ball.negligibleSpeed() ||
+           glm::length(tangential(held.across * response.acceleration, held.normal)) > response.noise;
+}
+
+/// Whether a direction is opposite to one of two normals, or to a sum of both with positive factors.
+bool isOpposite(const Vec3 &direction, const Vec3 &a, const Vec3 &b) {
+    constexpr double kParallel = 4.0 * kFits; // sine of an angle
+    const Vec3 line = glm::cross(a, b);
+    const double square = squared(line);
+    if (square <= kParallel * kParallel) return squared(direction + a) <= kParallel * kParallel;
+    if (std::abs(glm::dot(direction, line)) > kParallel * std::sqrt(square)) return false;
+    return glm::dot(glm::cross(direction, b), line) <= kParallel * square &&
+           glm::dot(glm::cross(a, direction), line) <= kParallel * square;
+}
+
+/// Whether other closed contacts keep the ball from moving into this one's normal.
+bool isLocked(uint32_t contact, const Touching &touching, const Response &response) {
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        for (uint32_t j = 0; j <= i; ++j) {
+            if (i == contact || j == contact || !isClosed(response, i) || !isClosed(response, j)) continue;
+            if (isOpposite(touching.held(contact).normal, touching.held(i).normal, touching.held(j).normal))
+                return true;
+        }
+    }
+    return false;
+}
+
+/// Of features that lock the ball across, those that don't press open: where it leaves the narrowest place between them
+/// no gap opens at once; and where a slip starts, series would leave their pressure undetermined. model.md 14.1.
+void openLocked(const MovingBall &ball, const Touching &touching, Response &response) {
+    uint32_t opening = 0;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (!isClosed(response, i) || response.reactions[i].pressure > response.noise) continue;
+        if (response.reactions[i].mode != Mode::starting && !movesRound(ball, touching.held(i), response)) continue;
+        opening |= (isLocked(i, touching, response) ? 1U : 0U) << i;
+    }
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (!(opening >> i & 1U)) continue;
+        response.reactions[i] = {Mode::open, 0.0, Vec3(0.0), Vec3(0.0), response.reactions[i].slip};
+    }
+}
+
 /// Whether friction at several contacts holds a ball that moves by no more than rounding.
 bool isHeldByFriction(const MovingBall &ball, const Response &response) {
     const double R = ball.radius();
@@ -150,6 +195,14 @@ bool slides(const MovingBall &ball, const Touching &touching, const Response &re
     return faces.roughAxis != faces.smoothAxis && response.reactions[faces.smooth].pressure > least;
 }
 
+/// Whether the powers of a moving ball's speeds underflow: series would have no time scale, and in the longest step it
+/// gets nowhere.
+bool hardlyMoves(const MovingBall &ball) {
+    constexpr double kLeast = 0x1p-400; // m/s
+    const Motion &motion = ball.motion;
+    return !ball.isStill() && glm::length(motion.velocity) + ball.radius() * glm::length(motion.spin) < kLeast;
+}
+
 /// After many hops: a ball that moves along the line of two rough contacts with hardly any spin about it has none, so
 /// that its slips turn round in no time instead of in dozens of series. model.md 6.4.
 void stopSpinAlong(const Touching &touching, MovingBall &ball) {
@@ -199,6 +252,7 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
     if (hasManyHops(ball)) stopSpinAlong(touching, ball);
     Response &response = choice.response;
     if (const phys_status status = respondNow(touching, ball, response)) return status;
+    openLocked(ball, touching, response);
     balance(ball, touching, response);
     const Vec3 free = findFree(ball, touching, response);
     response.acceleration *= free;
@@ -219,6 +273,9 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
         const Held &rough = touching.held(faces.rough);
         choice.phase.emplace<Slide>(ball.moment(), faces, rough.normal, response.reactions[faces.rough], rough.friction,
                                     response.reactions[faces.smooth]);
+    } else if (hardlyMoves(ball)) {
+        motion = {Vec3(0.0), Vec3(0.0)};
+        return choose(ball, touching, choice);
     } else if (!buildSeries(ball, touching, response, choice.phase.emplace<Series>())) {
         if (const phys_status status = jam(touching, ball, response)) return status;
         return choose(ball, touching, choice);

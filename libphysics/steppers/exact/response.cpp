@@ -25,6 +25,10 @@ bool pushOf(const Motion &motion, const Held &held, const MovingBall &ball, Vec3
     return true;
 }
 
+bool areCoplanar(const Vec3 &a, const Vec3 &b, const Vec3 &c, double rounding) {
+    return std::abs(glm::dot(c, glm::cross(a, b))) <= rounding;
+}
+
 double sumOf(const std::array<double, 4> &parts) { return parts[0] + parts[1] + parts[2]; }
 
 /// Of the sum of N: the direction of a slip with few digits has few digits itself, and where two pushes are nearly
@@ -106,7 +110,7 @@ bool findExchange(const Motion &motion, const Touching &touching, const Response
     const auto normal = [&](size_t i) { return touching.held(exchange.contacts[i]).normal; };
     exchange.count = pressing + 1;
     exchange.line = pressing == 2 ? hat(glm::cross(normal(0), normal(1))) : Vec3(0.0);
-    if (pressing == 3 && std::abs(glm::dot(normal(2), glm::cross(normal(0), normal(1)))) <= rounding) return false;
+    if (pressing == 3 && areCoplanar(normal(0), normal(1), normal(2), rounding)) return false;
     if (exchange.determinant(exchange.pushes[0], exchange.pushes[1], exchange.pushes[2]) == 0.0) return false;
     const auto isStraightAlong = [&](uint32_t i) { return isStraight(touching.held(i), exchange.line, rounding); };
     if (!isStraightAlong(exchange.contacts[0]) || !isStraightAlong(exchange.contacts[1])) return false;
@@ -121,12 +125,19 @@ bool findExchange(const Motion &motion, const Touching &touching, const Response
         if (isOpposite || !pushOf(motion, held, ball, push)) continue;
         std::array<double, 4> shares = exchange.balanced(push);
         double most = kNever, sum = 1.0;
+        size_t leaving = 0;
         for (size_t k = 0; k < pressing; ++k) {
             sum += shares[k];
-            if (shares[k] < 0.0) most = std::min(most, response.reactions[exchange.contacts[k]].pressure / -shares[k]);
+            const double pressure = response.reactions[exchange.contacts[k]].pressure;
+            if (!(shares[k] < 0.0) || pressure / -shares[k] >= most) continue;
+            most = pressure / -shares[k];
+            leaving = k;
         }
         shares[pressing] = 1.0;
         if (most == kNever || (isFound && most * sum >= exchange.more)) continue;
+        if (pressing == 3 && areCoplanar(held.normal, normal((leaving + 1) % 3), normal((leaving + 2) % 3), rounding)) {
+            continue; // they would let the ball go the way of the third one
+        }
         isFound = true;
         exchange.contacts[pressing] = i;
         exchange.pushes[pressing] = push;

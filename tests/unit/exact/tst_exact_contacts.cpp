@@ -39,6 +39,8 @@ private slots:
     void aHeldBallWhoseSlipStartsTurnsOn_data();
     void aHeldBallWhoseSlipStartsTurnsOn();
     void hopsBelowTheToleranceDontDependOnTheStep();
+    void whatPressesNothingBrakesNothing_data();
+    void whatPressesNothingBrakesNothing();
     void aFloorWithoutPressureHoldsNoBall();
 };
 
@@ -413,6 +415,46 @@ void ExactContacts::hopsBelowTheToleranceDontDependOnTheStep() {
         return run.state.position.x;
     };
     QVERIFY(std::abs(after(1) - after(100)) <= 1e-9 * R);
+}
+
+void ExactContacts::whatPressesNothingBrakesNothing_data() {
+    QTest::addColumn<std::vector<phys_box>>("boxes"); // the last one presses nothing
+    QTest::addColumn<phys_vec3>("gravity");
+    QTest::addColumn<double>("friction");
+    const double side = std::sqrt(0.5), third = 1.0 / 3.0;
+    const phys_box left{{-9, -9, -9}, {-1, 9, 9}}, right{{1, -9, -9}, {9, 9, 9}};
+    const phys_box kerb{{-1.5, side, -2}, {1.5, 2, 1 - side}}, floor{{-20, -20, -5}, {20, 20, 0}};
+    const phys_box near{{third * 2, -2, third * 4}, {2, third * -2, 3}},
+        far{{-2, third * 2, third * 4}, {third * -2, 2, 3}};
+    using Boxes = std::vector<phys_box>;
+    QTest::newRow("a post at a mouth") << Boxes{exact::wall(1, 0, 3, 0.5), exact::wall(-3, -0.5, -1, 0)}
+                                       << phys_vec3{0, 1, 0} << 0.0;
+    QTest::newRow("a facing post") << Boxes{exact::wall(1, -0.5, 3, 0), exact::wall(-3, -0.5, -1, 0)}
+                                   << phys_vec3{0, 1, 0} << 0.0;
+    QTest::newRow("a facing post, pressed to the other one")
+        << Boxes{exact::wall(1, -0.5, 3, 0), exact::wall(-3, -0.5, -1, 0)} << phys_vec3{0.5, 1, 0} << 0.0;
+    QTest::newRow("a wall behind") << Boxes{right, kerb, left} << phys_vec3{0.875, 0, -0.625} << 1.0;
+    QTest::newRow("a roof's corner over a floor") << Boxes{floor, near, far} << phys_vec3{7.35, -8.6, -2.45} << 1.13;
+}
+
+/// Boxes lock the ball across, and it leaves the narrowest place between them: model.md 14.1.
+void ExactContacts::whatPressesNothingBrakesNothing() {
+    QFETCH(const std::vector<phys_box>, boxes);
+    QFETCH(const phys_vec3, gravity);
+    QFETCH(const double, friction);
+    const auto after = [&](size_t count) {
+        Run run({boxes.begin(), boxes.begin() + static_cast<ptrdiff_t>(count)}, 1.0, {0, 0, 1});
+        run.params.model = PHYS_MODEL_RIGID;
+        run.params.gravity = gravity;
+        run.params.sliding_friction = 0.0;
+        run.params.wall_friction = friction;
+        run.step(0.5);
+        return run.state;
+    };
+    const phys_state with = after(boxes.size()), without = after(boxes.size() - 1);
+    QVERIFY(exact::difference(with, without.position.x, without.position.y, without.velocity.x, without.velocity.y) <=
+            1e-11);
+    QVERIFY(std::abs(with.position.z - without.position.z) <= 1e-11);
 }
 
 /// model.md 2.1: resistance is in proportion to N, which is 0. The scene starts below the floor, so that gravity

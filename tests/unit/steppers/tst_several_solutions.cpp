@@ -238,6 +238,8 @@ private slots:
     void theLeastPressureIsTaken();
     void aSpeedOfRoundingSizeLeavesNoContact_data() { addStepperRows(); }
     void aSpeedOfRoundingSizeLeavesNoContact();
+    void aSpinThatUnderflowsIsNone_data() { addStepperRows(); }
+    void aSpinThatUnderflowsIsNone();
     void randomStartsAccelerateAsInExact_data() { addStepperRows(); }
     void randomStartsAccelerateAsInExact();
 };
@@ -253,6 +255,24 @@ Start rollingRoundALowCorner() {
     start.gravity = {2.6524219699386169, 4.9133260633235123, -3.0662735314700016};
     start.rolling = 0.18110900719159287;
     start.model = PHYS_MODEL_ROLLING;
+    return start;
+}
+
+Start underTwoRoofsBesideAWall() {
+    Start start;
+    start.radius = 0.006;
+    start.boxes = {{{-0.24, -0.24, -0.24}, {0.24, 0.24, 0.0}},
+                   {{-0.029695321260225494, -0.014777887045642781, -0.022024711203226431},
+                    {0.049284410037976747, -0.006, 0.024392327831587887}},
+                   {{-0.018348335756488702, -0.049375612928633704, 0.011551476628865503},
+                    {-0.0022762045688294588, 0.019771293022721428, 0.023644510327346158}},
+                   {{0.0022762045688294588, -0.049375612928633704, 0.011551476628865503},
+                    {0.018348335756488702, 0.019771293022721428, 0.023644510327346158}}};
+    start.place.z = 0.006;
+    start.gravity = {7.6119810634931753, 1.1950538561383137, 2.6150935332858367};
+    start.floor = 0.2352214460412716;
+    start.wall = 1.145399027273565;
+    start.rolling = 0.020646944205576886;
     return start;
 }
 
@@ -318,6 +338,15 @@ void TestSeveralSolutions::aSpeedOfRoundingSizeLeavesNoContact() {
     Start start = turningUnderARoofHeldByResistance();
     const Accelerations wanted = accelerationsOf(stepper, start);
     start.velocity.x = -1e-21; // off the roof's edge, on which gravity doesn't press the ball
+    const double off = distance(accelerationsOf(stepper, start), wanted);
+    QVERIFY2(off < 1e-3, qPrintable(QStringLiteral("off by %1 m/s^2").arg(off)));
+}
+
+void TestSeveralSolutions::aSpinThatUnderflowsIsNone() {
+    QFETCH(QByteArray, stepper);
+    Start start = underTwoRoofsBesideAWall();
+    const Accelerations wanted = accelerationsOf(stepper, start);
+    start.spin = {3.7e-270, 0.0, -8.9e-270};
     const double off = distance(accelerationsOf(stepper, start), wanted);
     QVERIFY2(off < 1e-3, qPrintable(QStringLiteral("off by %1 m/s^2").arg(off)));
 }
