@@ -322,6 +322,48 @@ private:
     int m_lost = 0;
 };
 
+// ---- the words of --track-units; each function returns false, and changes nothing, if the text is no value ----
+
+template<size_t n>
+bool readScale(const std::array<Unit, n> &units, const QString &text, double &scale) {
+    const std::optional<double> read = scaleOf(units, text);
+    if (read) scale = *read;
+    return read.has_value();
+}
+
+bool readFrameRate(const QString &text, TrackUnits &units) {
+    const std::optional<double> rate = numberOf(text, false);
+    if (!rate || *rate <= 0.0) return false;
+    units.frame = 1.0 / *rate;
+    return true;
+}
+
+/// 0.25mm
+bool readPixel(const QString &text, TrackUnits &units) {
+    static const QRegularExpression form(QStringLiteral("^(.*?)([a-z]+)$"));
+    const QRegularExpressionMatch match = form.match(text);
+    const std::optional<double> number = numberOf(match.captured(1), false);
+    const std::optional<double> unit = scaleOf(kLengths, match.captured(2));
+    if (!number || !unit || *number <= 0.0) return false;
+    units.pixel = *number * *unit;
+    return true;
+}
+
+bool readMirror(const QString &text, TrackUnits &units) {
+    if (text != QLatin1String("x") && text != QLatin1String("y")) return false;
+    (text == QLatin1String("x") ? units.mirrorsX : units.mirrorsY) = true;
+    return true;
+}
+
+bool readUnit(const QString &name, const QString &text, TrackUnits &units) {
+    if (name == QLatin1String("t")) return readScale(kTimes, text, units.time);
+    if (name == QLatin1String("x")) return readScale(kLengths, text, units.position);
+    if (name == QLatin1String("tilt")) return readScale(kAngles, text, units.tilt);
+    if (name == QLatin1String("fps")) return readFrameRate(text, units);
+    if (name == QLatin1String("px")) return readPixel(text, units);
+    return name == QLatin1String("mirror") && readMirror(text, units);
+}
+
 } // namespace
 
 std::optional<TrackUnits> parseTrackUnits(const QString &words, QString *error) {
@@ -329,34 +371,12 @@ std::optional<TrackUnits> parseTrackUnits(const QString &words, QString *error) 
     QStringList named;
     for (const QString &word : words.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
         const QString name = word.section(QLatin1Char('='), 0, 0).trimmed();
-        const QString text = word.section(QLatin1Char('='), 1).trimmed();
-        const bool isMirror = name == QLatin1String("mirror"); // at both axes
-        named += isMirror ? word.trimmed() : name;
+        named += name == QLatin1String("mirror") ? word.trimmed() : name; // both axes may be mirrored
         if (named.removeDuplicates() > 0) {
             *error = QStringLiteral("'%1' is named twice").arg(name.left(60));
             return std::nullopt;
         }
-        std::optional<double> scale;
-        if (name == QLatin1String("t")) units.time = (scale = scaleOf(kTimes, text)).value_or(0.0);
-        if (name == QLatin1String("x")) units.position = (scale = scaleOf(kLengths, text)).value_or(0.0);
-        if (name == QLatin1String("tilt")) units.tilt = (scale = scaleOf(kAngles, text)).value_or(0.0);
-        if (name == QLatin1String("fps")) {
-            scale = numberOf(text, false);
-            if (scale && !(*scale > 0.0)) scale.reset();
-            units.frame = scale ? 1.0 / *scale : 0.0;
-        }
-        if (name == QLatin1String("px")) {
-            static const QRegularExpression form(QStringLiteral("^(.*?)([a-z]+)$"));
-            const QRegularExpressionMatch match = form.match(text);
-            const std::optional<double> number = numberOf(match.captured(1), false);
-            const std::optional<double> unit = scaleOf(kLengths, match.captured(2));
-            if (number && unit && *number > 0.0) scale = units.pixel = *number * *unit;
-        }
-        if (isMirror && (text == QLatin1String("x") || text == QLatin1String("y"))) {
-            scale = 1.0;
-            (text == QLatin1String("x") ? units.mirrorsX : units.mirrorsY) = true;
-        }
-        if (scale) continue;
+        if (readUnit(name, word.section(QLatin1Char('='), 1).trimmed(), units)) continue;
         *error = QStringLiteral("expected t=ms, x=mm, tilt=rad, px=0.25mm, fps=60 or mirror=y, found %1")
                      .arg(foundText(word.trimmed().left(60)));
         return std::nullopt;
