@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 namespace {
 
@@ -17,15 +18,26 @@ namespace fs = std::filesystem;
 using sweep::Outcome;
 using sweep::Plan;
 
+/// What the name leads to; none if the system doesn't say, as of a name that is too long.
+fs::file_type typeOf(const fs::path &name) {
+    std::error_code error;
+    return fs::status(name, error).type();
+}
+
+/// The file that a link points to.
+std::string targetOf(const fs::path &name) {
+    std::error_code error;
+    const fs::path target = fs::weakly_canonical(name, error);
+    return (error ? name : target).string();
+}
+
 /// Where the CSV goes. A file gets its name when it's complete: a sweep that is cut short leaves no half of a CSV
 /// behind. What it has so far is called NAME.part. Renaming would replace a device or a pipe, so these are written as
 /// they are.
 class Output {
 public:
     explicit Output(const fs::path &name)
-        : m_isRenamed(!fs::exists(name) || fs::is_regular_file(name))
-        , m_name(m_isRenamed ? fs::weakly_canonical(name).string() : name.string()) // the file that a link points to
-        , m_file(fs::is_directory(name) ? nullptr : std::fopen(written().c_str(), "w")) {}
+        : Output(name, typeOf(name)) {}
     ~Output() {
         if (m_file) std::fclose(m_file);
     }
@@ -42,6 +54,11 @@ public:
     }
 
 private:
+    Output(const fs::path &name, fs::file_type type)
+        : m_isRenamed(type == fs::file_type::not_found || type == fs::file_type::regular)
+        , m_name(m_isRenamed ? targetOf(name) : name.string())
+        , m_file(type == fs::file_type::directory ? nullptr : std::fopen(written().c_str(), "w")) {}
+
     std::string written() const { return m_isRenamed ? m_name + ".part" : m_name; }
 
     bool m_isRenamed;
