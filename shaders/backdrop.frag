@@ -38,7 +38,7 @@ void main() {
         vec3 table = table_colour * pool * (1.0 - 0.32 * board_opacity * shadow) * (1.0 - 0.30 * board_opacity * shade);
         surroundings = mix(table, horizon_colour, smoothstep(1.5, 7.0, off_centre));
     }
-    // Half a step of noise keeps slow gradients from showing bands; the powers of the plastic number fill the plane evenly.
+    // Dithering by half a step of colour, against banding; the powers of the plastic number fill the plane evenly.
     float noise = fract(dot(gl_FragCoord.xy, vec2(0.7548776662, 0.5698402910)));
     colour = vec4(surroundings + (noise - 0.5) / 255.0, 1.0);
 }

@@ -23,7 +23,7 @@ vec3 skyRadiance(vec3 direction);
 float highlight(vec3 normal, vec3 to_eye, float roughness);
 vec3 display(vec3 radiance);
 
-// The room as a mirror sees it: floor below, sky above, and the window that the light comes from.
+// What the coat reflects: floor below, sky above, and the window that the light comes from.
 vec3 room(vec3 direction) {
     float height = dot(direction, world_up);
     vec3 surroundings = mix(ground_radiance * 0.8, skyRadiance(direction), smoothstep(-0.15, 0.25, height));
@@ -39,7 +39,7 @@ void main() {
 
     float cosine = max(dot(normal, to_light), 0.0);
     float visible = lightVisibility(v_position, normal);
-    // The lower half looks at the floor, most of all where it touches.
+    // The lower half faces the floor, which hides the sky from it.
     float open = skyVisibility(v_position, normal) * (0.55 + 0.45 * normal.z);
     vec3 direct = light_radiance * (cosine * visible);
     vec3 ambient = skyRadiance(normal) * open;
@@ -50,6 +50,6 @@ void main() {
     vec3 mirrored = room(reflect(-to_eye, normal)) * mix(0.25, 1.0, visible) * mix(open, 1.0, 0.3);
     vec3 radiance = albedo * (direct + ambient) * (1.0 - fresnel) + fresnel * mirrored;
     radiance += reflectance * direct * highlight(normal, to_eye, max(v_surface.y, 0.15));
-    // A ghost is clear in the middle and firm at its outline, like glass.
+    // A ghost is translucent in the middle and nearly opaque at its outline.
     colour = vec4(display(radiance), mix(tint.a, 1.0, 0.6 * grazing));
 }

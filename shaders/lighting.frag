@@ -19,10 +19,10 @@ float lightVisibility(vec3 position, vec3 normal) {
 #if QUALITY == 0
     return 1.0;
 #else
-    // Moved off the surface, so that it doesn't shade itself.
+    // Offset along the normal, so that the surface doesn't shadow itself.
     vec3 place = (shadow_from_board * vec4(position + normal * 4e-4, 1.0)).xyz;
 #if QUALITY == 1
-    // Four bilinear looks, turned against the grid so that edges don't show its steps.
+    // Four bilinear samples, in a pattern rotated against the texels so that shadow edges don't show them.
     const int count = 4;
     const vec2 kernel[4] = vec2[](vec2(-0.45, -1.1), vec2(1.1, -0.45), vec2(0.45, 1.1), vec2(-1.1, 0.45));
     const float spread = 1.0;
@@ -62,7 +62,7 @@ float highlight(vec3 normal, vec3 to_eye, float roughness) {
     return alpha_squared / (4.0 * lobe * lobe * light_middle * light_middle * (roughness + 0.5));
 }
 
-// From linear light to sRGB; what is brighter than white runs softly into it.
+// From linear light to sRGB. Tone mapping: 0.7 and more is compressed to below 1.
 vec3 display(vec3 radiance) {
     vec3 excess = max(radiance - 0.7, 0.0);
     vec3 shown = min(radiance, 0.7) + 0.3 * excess / (0.3 + excess);

@@ -9,13 +9,13 @@ flat in vec3 v_albedo;
 flat in vec4 v_surface;
 
 uniform vec4 ball; // centre and radius, board frame
-uniform float ball_reach; // m; up to there it takes some of the sky
-uniform float light_disc; // half angle of the light, as a tangent
+uniform float ball_reach; // m; where its ambient occlusion ends
+uniform float light_disc; // tangent of the half angle of the light source
 uniform vec3 to_light;
 uniform vec3 eye;
 uniform vec3 light_radiance;
 uniform sampler2D wood_grain;
-uniform vec3 beacon;        // what shines by itself, as a lamp for the rest; board frame
+uniform vec3 beacon;        // centre of the exit, which glows and lights its surroundings; board frame
 uniform vec3 beacon_albedo; // sRGB; black: none
 
 out vec4 colour;
@@ -27,8 +27,8 @@ vec3 skyRadiance(vec3 direction);
 float highlight(vec3 normal, vec3 to_eye, float roughness);
 vec3 display(vec3 radiance);
 
-// How much of the light the ball leaves over.
-float lightPastBall(vec3 position) {
+// 1 in the light, 0 in the ball's shadow, whose penumbra widens with the distance from the ball.
+float ballLightVisibility(vec3 position) {
     vec3 to_ball = ball.xyz - position;
     float along = max(dot(to_ball, to_light), 0.0);
     float miss = length(to_ball - along * to_light);
@@ -36,9 +36,9 @@ float lightPastBall(vec3 position) {
     return along > 0.0 ? smoothstep(-blur, blur, miss - ball.w) : 1.0;
 }
 
-// How much of the sky the ball leaves over: the solid angle of a sphere, weighted by the cosine. It fades out to exactly
-// 1 at ball_reach, so that only what is around the ball has to be drawn anew when it moves.
-float skyPastBall(vec3 position, vec3 normal) {
+// Ambient occlusion by the ball: 1 less the solid angle of a sphere, weighted by the cosine. It fades out to exactly 1 at
+// ball_reach, so that only the surroundings of the ball are redrawn when it moves.
+float ballSkyVisibility(vec3 position, vec3 normal) {
     vec3 to_ball = ball.xyz - position;
     float distance_squared = max(dot(to_ball, to_ball), ball.w * ball.w);
     float cosine = max(dot(normal, to_ball) * inversesqrt(distance_squared), 0.0);
@@ -46,7 +46,7 @@ float skyPastBall(vec3 position, vec3 normal) {
     return 1.0 - near * cosine * ball.w * ball.w / distance_squared;
 }
 
-// The glow of the exit on what is near it.
+// Light of the glowing exit on its surroundings.
 vec3 beaconLight(vec3 position) {
     const float reach = 0.020; // m
     vec3 away = position - beacon;
@@ -65,8 +65,8 @@ void main() {
     vec3 albedo = v_albedo * (1.0 + v_surface.z * fibre * vec3(0.75, 0.85, 0.95));
 
     float cosine = max(dot(normal, to_light), 0.0);
-    float visible = cosine > 0.0 ? lightVisibility(v_position, normal) * lightPastBall(v_position) : 0.0;
-    float open = skyVisibility(v_position, normal) * skyPastBall(v_position, normal);
+    float visible = cosine > 0.0 ? lightVisibility(v_position, normal) * ballLightVisibility(v_position) : 0.0;
+    float open = skyVisibility(v_position, normal) * ballSkyVisibility(v_position, normal);
     vec3 direct = light_radiance * (cosine * visible);
     vec3 ambient = skyRadiance(normal) * open;
 

@@ -26,7 +26,7 @@ void main() {
     float least = min(middle, min(min(a, b), min(c, d)));
     float most = max(middle, max(max(a, b), max(c, d)));
 
-    // Across the gradient, the farther the closer to an axis it runs: there steps are long.
+    // An edge runs across the gradient. The closer it is to an axis, the longer its steps, and the farther apart the samples.
     vec2 along = vec2((a + b) - (c + d), (b + d) - (a + c));
     float shorter = min(abs(along.x), abs(along.y)) + 0.03 * (a + b + c + d) + 0.008;
     along = clamp(along / shorter, -kLongest, kLongest) / vec2(last + 1);
@@ -36,7 +36,7 @@ void main() {
     vec3 far = 0.5 * (texture(picture, here - along / 2.0).rgb + texture(picture, here + along / 2.0).rgb);
     vec3 both = 0.5 * (near + far);
     float reached = dot(both, kBrightness);
-    // What is brighter or darker than all around belongs to something else.
+    // Brighter or darker than all neighbours: the far samples have left the edge.
     vec3 smoothed = reached < least || reached > most ? near : both;
     colour = vec4(most - least < max(0.03, 0.1 * most) ? centre : smoothed, 1.0);
 }

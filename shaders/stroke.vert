@@ -21,7 +21,7 @@ flat out float v_round;
 void main() {
     vec4 start = clip_from_board * vec4(from, 1.0);
     vec4 end = clip_from_board * vec4(to, 1.0);
-    // What lies behind the eye is cut off before the division.
+    // Clipped in front of the eye before the perspective division.
     const float near = 1e-4;
     if (start.w < near) start = mix(start, end, clamp((near - start.w) / max(end.w - start.w, 1e-9), 0.0, 1.0));
     if (end.w < near) end = mix(end, start, clamp((near - end.w) / max(start.w - end.w, 1e-9), 0.0, 1.0));
@@ -42,6 +42,6 @@ void main() {
     vec4 anchor = is_end ? end : start;
     v_place = vec2((is_end ? v_length : 0.0) + beyond, side * reach);
     v_colour = is_end ? to_colour : from_colour;
-    // A hair towards the eye, so that lines on a surface aren't eaten by it.
+    // Depth bias, so that lines on a surface lie in front of it.
     gl_Position = vec4(anchor.xy + offset / (0.5 * pixels) * anchor.w, anchor.z - 2e-4 * anchor.w, anchor.w);
 }
