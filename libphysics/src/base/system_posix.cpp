@@ -67,7 +67,7 @@ std::string readFile(const std::string &path, size_t mostBytes, std::string &out
 
 std::string whyNoFile(const std::string &path) {
     struct stat status {};
-    if (stat(path.c_str(), &status) != 0) return "no such file";
+    if (stat(path.c_str(), &status) != 0) return errno == ENOENT ? "no such file" : textOf(errno);
     return S_ISREG(status.st_mode) ? "" : "not a file";
 }
 

@@ -35,6 +35,7 @@ private slots:
     void givesTheReason_data();
     void givesTheReason();
     void aFileThatIsNotThereIsNamed();
+    void aFileThatCannotBeReachedIsNotCalledMissing();
     void aFolderIsNoPlugin();
     void aFileThatTheSystemMakesUpIsNotWaitedFor();
     void aTextFileIsRefusedWithTheLoadersReason();
@@ -138,6 +139,15 @@ void PluginRefusal::aFileThatIsNotThereIsNamed() {
     phys_error error{};
     QCOMPARE(phys_registry_load_file(m_registry, "/nowhere/at-all.so", &error), PHYS_ERROR_FILE);
     QCOMPARE(error.text, "/nowhere/at-all.so: no such file");
+}
+
+void PluginRefusal::aFileThatCannotBeReachedIsNotCalledMissing() {
+    phys_error error{};
+    const QByteArray name = QByteArray(300, 'x') + ".so";
+    QCOMPARE(phys_registry_load_file(m_registry, name.constData(), &error), PHYS_ERROR_FILE);
+    QVERIFY2(QByteArray(error.text).endsWith("x.so: File name too long"), error.text);
+    QCOMPARE(phys_registry_load_file(m_registry, "/dev/null/at-all.so", &error), PHYS_ERROR_FILE);
+    QCOMPARE(error.text, "/dev/null/at-all.so: Not a directory");
 }
 
 void PluginRefusal::aFolderIsNoPlugin() {
