@@ -106,7 +106,9 @@ private:
         Mode &mode = m_modes[i];
         mode = {};
         const double missing = c.slow - glm::dot(c.limit, m_motion.velocity);
-        mode.presses = c.reaction + missing / glm::dot(c.limit, c.lever) > 0.0;
+        const double reaction = c.reaction + missing / glm::dot(c.limit, c.lever);
+        // A glued face holds without pressure, too, model.md 13.1.
+        mode.presses = reaction > 0.0 || (c.isGlued && !c.isIdle && reaction >= -m_problem.negligible);
         if (!mode.presses) return;
         const double most = c.friction * c.reaction;
         if (c.hasNoLimit() || glm::length(holding(c)) <= most)
@@ -245,7 +247,7 @@ private:
                 rubbing += change[unknown + 1] * mode.rubbing.sideways;
                 unknown += 2;
                 if (!c.hasNoLimit()) rubbing = clipped(rubbing, c.friction * reaction);
-                if (reaction == 0.0) rubbing = Vec3(0.0);
+                if (reaction == 0.0 && !c.isGlued) rubbing = Vec3(0.0);
                 add(rubOf(c, rubbing - c.rubbing, radius()), m_motion);
                 c.rubbing = rubbing;
             }

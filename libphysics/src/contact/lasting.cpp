@@ -284,24 +284,29 @@ bool LastingContacts::settleTogether(double rollingFriction, double negligible, 
     return solvePressed(rollingFriction, negligible, motion);
 }
 
+/// Whether it presses, or is glued by choice without pressure.
+bool LastingContacts::takesPart(const Lasting &contact) const {
+    return contact.reaction > 0.0 || (m_isChosen && contact.isGlued && !contact.isIdle);
+}
+
 /// Newton's method for the contacts that press, where friction that depends on the pressure of another contact settles
 /// too slowly. The others must stay open: sweeps of all might press them, against a solution with a smaller sum.
 bool LastingContacts::solvePressed(double rollingFriction, double negligible, Motion &motion) {
     LastingContacts pressed(m_radius, *m_work);
     for (const Lasting &contact : *this) {
-        if (contact.reaction > 0.0) pressed.add(contact);
+        if (takesPart(contact)) pressed.add(contact);
     }
     if (pressed.count() == 0 || pressed.count() == count()) return false;
     Motion solved = motion;
     if (!solveCoulomb({{pressed.begin(), pressed.end()}, m_radius, rollingFriction, negligible, *m_work}, solved))
         return false;
     const bool stayOpen = std::all_of(begin(), end(), [&](const Lasting &contact) {
-        return contact.reaction > 0.0 || glm::dot(contact.limit, solved.velocity) >= contact.slow - 8.0 * negligible;
+        return takesPart(contact) || glm::dot(contact.limit, solved.velocity) >= contact.slow - 8.0 * negligible;
     });
     if (!stayOpen) return false;
     const Lasting *next = pressed.begin();
     for (Lasting &contact : *this) {
-        if (contact.reaction > 0.0) contact = *next++;
+        if (takesPart(contact)) contact = *next++;
     }
     motion = solved;
     return true;

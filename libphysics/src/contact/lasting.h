@@ -79,6 +79,7 @@ private:
     bool solveByNewton(double rollingFriction, double negligible, bool isLast, Motion &motion);
     bool solvePressed(double rollingFriction, double negligible, Motion &motion);
     void settleWithoutResistance(double negligible, const Motion &driven, Motion &motion);
+    bool takesPart(const Lasting &contact) const;
     void unload();
     bool shareLoads() const;
     double pressTogether(double negligible, Motion &motion);

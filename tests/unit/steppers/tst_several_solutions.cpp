@@ -158,6 +158,22 @@ Start amongFiveHeldByResistance() {
     return start;
 }
 
+Start drivenAlongABeam() {
+    Start start = onFloorBeside({{0.006, -0.1, 0.018}, {0.1, 0.1, 0.03}});
+    start.model = PHYS_MODEL_ROLLING;
+    start.gravity = {0.0, 7.0, 0.0};
+    return start;
+}
+
+Start rollingRoundAPost() {
+    Start start = onFloorBeside({{0.008, 0.006, -0.01}, {0.1, 0.1, 0.03}});
+    start.model = PHYS_MODEL_ROLLING;
+    start.velocity = {0.006, -0.008, 0.0};
+    start.spin = {0.8, 0.6, 0.0};
+    start.gravity = {10.0, 0.0, 0.0};
+    return start;
+}
+
 /// Random numbers that are the same everywhere.
 class Draw {
 public:
@@ -303,8 +319,10 @@ void TestSeveralSolutions::theLeastPressureIsTaken_data() {
                                      "two of three in one plane hold a ball",
                                      "a ball that rolls round a low corner stays on the floor",
                                      "resistance holds a ball in a slot beside a corner",
-                                     "resistance holds a ball among five contacts"};
-        for (int i = 0; i < 9; ++i) QTest::addRow("%s, %s", stepper.constData(), names[i]) << stepper << i;
+                                     "resistance holds a ball among five contacts",
+                                     "a floor without pressure turns a ball beside a beam",
+                                     "a floor without pressure turns a ball round a post"};
+        for (int i = 0; i < 11; ++i) QTest::addRow("%s, %s", stepper.constData(), names[i]) << stepper << i;
     }
 }
 
@@ -327,6 +345,8 @@ void TestSeveralSolutions::theLeastPressureIsTaken() {
         {rollingRoundALowCorner(), {2.683, 2.227, 0.0, -2.227, 2.683, 0.0}},
         {inASlotHeldByResistance(), {}},
         {amongFiveHeldByResistance(), {}},
+        {drivenAlongABeam(), {0.0, 5.0, 0.0, -5.0, 0.0, 0.0}},
+        {rollingRoundAPost(), {18.0 / 7.0, -24.0 / 7.0, 0.0, 24.0 / 7.0, 18.0 / 7.0, 0.0}},
     };
     const Accelerations found = accelerationsOf(stepper, cases[which].start);
     const double off = distance(found, cases[which].wanted);
