@@ -300,13 +300,19 @@ void SweptStep::keepContacts(const Vec3 &velocity) {
             fastest = std::max(fastest, speed);
             most = std::max(most, kMostTaken * std::abs(speed));
         }
-        const Vec3 across = kept.across(velocity);
-        const double taken = glm::length(across - velocity);
-        const bool takesTooMuch = taken > most && !isBound(taken);
-        m_ball.velocity = takesTooMuch ? velocity : across;
-        if (fastest <= m_slow || !takesTooMuch) return;
+        if (loseSpeedAlong(kept, most, velocity) || fastest <= m_slow) return;
         m_contacts.drop([&](const Contact &contact) { return glm::dot(velocity, contact.normal) == fastest; });
     }
+}
+
+/// Gives the ball that velocity without its component along these normals. False, with all of it, if that would take
+/// more than `most` from a ball that isn't bound.
+bool SweptStep::loseSpeedAlong(const NormalSpan &kept, double most, const Vec3 &velocity) {
+    const Vec3 across = kept.across(velocity);
+    const double taken = glm::length(across - velocity);
+    const bool takesTooMuch = taken > most && !isBound(taken);
+    m_ball.velocity = takesTooMuch ? velocity : across;
+    return !takesTooMuch;
 }
 
 /// Whether a ball that approaches all its contacts at once rocks between them: too slow to climb out over any, and
@@ -337,14 +343,18 @@ void SweptStep::dropWhatNothingPresses(const Vec3 &velocity) {
     std::array<bool, Contacts::kMost> presses;
     pressesNow(presses);
     NormalSpan kept;
+    double most = m_slow;
     const bool *pressing = presses.data();
     m_contacts.drop([&](const Contact &contact) {
         const double speed = glm::dot(velocity, contact.normal);
         const bool lasts = *pressing++ || speed <= contact.restSpeed;
-        if (lasts) kept.add(contact.normal);
+        if (lasts) {
+            kept.add(contact.normal);
+            most = std::max(most, kMostTaken * std::abs(speed));
+        }
         return !lasts && speed > m_slow;
     });
-    m_ball.velocity = kept.across(velocity);
+    loseSpeedAlong(kept, most, velocity);
 }
 
 void SweptStep::finishPhase(double t) {

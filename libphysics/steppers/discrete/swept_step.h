@@ -89,6 +89,7 @@ private:
     void snapToFaces();
     void stopSlowApproach();
     void keepContacts(const Vec3 &velocity);
+    bool loseSpeedAlong(const NormalSpan &kept, double most, const Vec3 &velocity);
     bool isBound(double speed) const;
     void dropWhatNothingPresses(const Vec3 &velocity);
     void finishPhase(double t);

@@ -122,6 +122,8 @@ private slots:
     void rollsOffAHairCrack();
     void leansOnTheCornerOfARoofAsInExact_data() { addStepperRows(); }
     void leansOnTheCornerOfARoofAsInExact();
+    void slidesOutBetweenAnEdgeAndCorners_data() { addStepperRows(); }
+    void slidesOutBetweenAnEdgeAndCorners();
     void stepWhoseContactsTakeTooMuchIsRefused();
     void stepThatLooksAtTooManyBoxesIsRefused();
     void hopTooLowToRiseTakesNoFriction_data() { addSteppersThatLocateEvents(); }
@@ -487,6 +489,28 @@ void TestRestingContact::leansOnTheCornerOfARoofAsInExact() {
     const phys_vec3 wanted = endUnderARoof("exact", 1), found = endUnderARoof(stepper, 4000);
     COMPARE_WITHIN(found.x, wanted.x, kMost);
     COMPARE_WITHIN(found.y, wanted.y, kMost);
+}
+
+/// They hold a ball across the direction in which gravity drives it. As it moves, their normals turn, and no direction
+/// is along all of them any more.
+void TestRestingContact::slidesOutBetweenAnEdgeAndCorners() {
+    QFETCH(QByteArray, stepper);
+    constexpr double kDrive = 9.0, kStep = 0x1p-18;
+    constexpr int kSteps = 1000;
+    const double edge = std::sqrt(1.0 / 2.0), corner = std::sqrt(1.0 / 3.0);
+    const auto scene = SceneBuilder()
+                           .ball(1.0)
+                           .box({{-9.0, -9.0, -5.0}, {9.0, 9.0, 0.0}})
+                           .box({{-1.2, edge, -0.3}, {-edge, 1.2, 2.3}})
+                           .box({{corner, -0.9, 0.1}, {0.9, -corner, 1.0 - corner}})
+                           .box({{-0.9, corner, 0.1}, {-corner, 0.9, 1.0 - corner}})
+                           .start({0.0, 0.0, 1.0});
+    Experiment ball(scene, stepper, PHYS_MODEL_RIGID);
+    ball.params.gravity = {kDrive, kDrive, -6.0};
+    ball.params.sliding_friction = ball.params.wall_friction = ball.params.rolling_friction = 0.0;
+    QVERIFY2(ball.stepTimes(kSteps, kStep), ball.error());
+    COMPARE_WITHIN(ball.state.velocity.x, kDrive * kSteps * kStep, 1e-4);
+    COMPARE_WITHIN(ball.state.velocity.y, kDrive * kSteps * kStep, 1e-4);
 }
 
 void TestRestingContact::stepWhoseContactsTakeTooMuchIsRefused() {
