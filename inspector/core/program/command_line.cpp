@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace inspector {
 
@@ -136,42 +137,48 @@ void checkTilts(const QCommandLineParser &parser, const std::vector<Setting> &se
                 throw WrongUse{QStringLiteral("--%1: doesn't go with --%2").arg(dashed(tilt), pilot)};
 }
 
-void readView(const QCommandLineParser &parser, Options &options) {
-    if (!parser.isSet("view")) return;
-    const QString view = parser.value("view");
-    if (options.headless)
-        throw WrongUse{QStringLiteral("--view: nothing is drawn without a window; leave out --headless")};
-    if (view != QLatin1String("2d") && view != QLatin1String("3d"))
-        throw WrongUse{QStringLiteral("--view: expected 3d or 2d, found %1").arg(foundText(view))};
-    options.view = view == QLatin1String("2d") ? Options::View::Flat : Options::View::Solid;
-}
-
-void readOutputs(const QCommandLineParser &parser, Options &options) {
-    options.force = parser.isSet("force");
-    options.headless = parser.isSet("headless") || parser.isSet("all-levels");
-    options.autopilot = parser.isSet("autopilot") || parser.isSet("all-levels");
-    if (parser.isSet("all-levels")) options.action = Options::Action::PlayAllLevels;
-    options.csv = parser.value("csv");
-    options.grab = parser.value("grab");
-    if (parser.isSet("grab") && !options.grab.endsWith(QLatin1String(".png")))
-        throw WrongUse{
-            QStringLiteral("--grab: expected a file name ending in .png, found %1").arg(foundText(options.grab))};
+void checkFileNames(const QCommandLineParser &parser) {
     for (const char *name : {"csv", "record", "replay", "grab", "plot", "parameters", "fit", "track"})
         if (parser.isSet(name) && parser.value(name).isEmpty())
             throw WrongUse{QStringLiteral("--%1: expected the name of a file, found nothing").arg(name)};
+}
+
+void readMode(const QCommandLineParser &parser, Options &options) {
+    const bool playsAll = parser.isSet("all-levels");
+    options.force = parser.isSet("force");
+    options.headless = parser.isSet("headless") || playsAll;
+    options.autopilot = parser.isSet("autopilot") || playsAll;
+    if (playsAll) options.action = Options::Action::PlayAllLevels;
+}
+
+void readTable(const QCommandLineParser &parser, Options &options) {
+    options.csv = parser.value("csv");
     for (const char *ending : {".png", ".svg", ".pdf"})
         if (options.csv.endsWith(QLatin1String(ending), Qt::CaseInsensitive))
             throw WrongUse{
                 QStringLiteral("--csv: expected a file name ending in .csv, found %1").arg(foundText(options.csv))};
     if (parser.isSet("csv-every")) options.csvEvery = uint64_t(wholeNumberOf(parser, "csv-every", 1, 1e9));
-    if (options.headless && parser.isSet("grab"))
-        throw WrongUse{QStringLiteral("--grab: there is no picture without a window; leave out --headless")};
-    if (options.headless && parser.isSet("shaders"))
-        throw WrongUse{QStringLiteral("--shaders: nothing is drawn without a window; leave out --headless")};
-    readView(parser, options);
+}
+
+void readView(const QString &view, Options &options) {
+    if (view != QLatin1String("2d") && view != QLatin1String("3d"))
+        throw WrongUse{QStringLiteral("--view: expected 3d or 2d, found %1").arg(foundText(view))};
+    options.view = view == QLatin1String("2d") ? Options::View::Flat : Options::View::Solid;
+}
+
+void readWindow(const QCommandLineParser &parser, Options &options) {
+    for (const auto &[name, what] : {std::pair("grab", "there is no picture"), std::pair("shaders", "nothing is drawn"),
+                                     std::pair("view", "nothing is drawn")})
+        if (options.headless && parser.isSet(name))
+            throw WrongUse{QStringLiteral("--%1: %2 without a window; leave out --headless").arg(name, what)};
+    options.grab = parser.value("grab");
+    if (parser.isSet("grab") && !options.grab.endsWith(QLatin1String(".png")))
+        throw WrongUse{
+            QStringLiteral("--grab: expected a file name ending in .png, found %1").arg(foundText(options.grab))};
     options.shaders = parser.value("shaders");
     if (parser.isSet("shaders") && !isFolder(options.shaders))
         throw WrongUse{QStringLiteral("--shaders: expected a folder, found %1").arg(foundText(options.shaders))};
+    if (parser.isSet("view")) readView(parser.value("view"), options);
 }
 
 void readComparison(const QCommandLineParser &parser, Options &options) {
@@ -372,6 +379,7 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     options.registry = registry;
     options.plugins = plugins;
     checkGivenOnce(parser);
+    checkFileNames(parser);
     if (const QString conflict = conflictOf(parser); !conflict.isEmpty()) throw WrongUse{conflict};
     const QString file = fileOf(parser);
     const QString track = isTrackFile(file) ? file : QString();
@@ -381,7 +389,9 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     if (parser.isSet("dt")) options.dt = durationOf(parser, "dt", Engine::kSmallestDt, Engine::kLargestDt);
     if (parser.isSet("speed")) options.speed = numberOf(parser, "speed", {Simulation::kSlowest, Simulation::kFastest});
     if (parser.isSet("duration")) options.duration = durationOf(parser, "duration", 0.0, 1e9);
-    readOutputs(parser, options);
+    readMode(parser, options);
+    readTable(parser, options);
+    readWindow(parser, options);
     readComparison(parser, options);
     readRecordings(parser, rows, options);
     readTrade(parser, options);
