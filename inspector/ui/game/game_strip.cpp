@@ -8,6 +8,7 @@
 #include "ui/parts/path_icon.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QToolButton>

@@ -23,7 +23,6 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
     setColumnWidth(0, 130);
     setUniformRowHeights(true);
     for (const Level &level : session.levels()) new QTreeWidgetItem(this, {levelTitle(session, level)});
-    fitRows();
 
     connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem *item) {
         m_session.game().choose(indexOfTopLevelItem(item));
@@ -33,15 +32,6 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
     connect(&session, &Session::levelOpened, this, &LevelPanel::showState);
     connect(&session.game(), &Game::phaseChanged, this, &LevelPanel::showState);
     showState();
-}
-
-void LevelPanel::fitRows() {
-    for (int i = 0; i < topLevelItemCount(); ++i) topLevelItem(i)->setSizeHint(0, {1, fontMetrics().height() + 7});
-}
-
-void LevelPanel::changeEvent(QEvent *event) {
-    QTreeWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange) fitRows();
 }
 
 void LevelPanel::showState() {

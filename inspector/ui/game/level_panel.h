@@ -16,11 +16,7 @@ public:
     explicit LevelPanel(Session &session, QWidget *parent = nullptr);
     QSize sizeHint() const override { return {280, 200}; }
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
-    void fitRows();
     void showState();
 
     Session &m_session;

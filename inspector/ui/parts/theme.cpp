@@ -58,8 +58,9 @@ QPalette paletteOf(const Shades &shades) {
     return palette;
 }
 
-/// Fusion, except for check boxes on dark palettes, in widgets and lists alike: Fusion frames an empty one with a
-/// darker shade of the window and fills it with the base, which is hardly visible there.
+/// Fusion, except for two things. Check boxes on dark palettes, in widgets and lists alike: Fusion frames an empty one
+/// with a darker shade of the window and fills it with the base, which is hardly visible there. And rows of lists,
+/// which are as high as their text, and so hard to tell apart.
 class ThemeStyle : public QProxyStyle {
 public:
     ThemeStyle()
@@ -73,6 +74,13 @@ public:
         QStyleOptionButton box(*button);
         box.palette.setColor(QPalette::Base, box.palette.color(QPalette::Light));
         QProxyStyle::drawPrimitive(element, &box, painter, widget);
+    }
+
+    QSize sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &size,
+                           const QWidget *widget) const override {
+        constexpr int kRoom = 7; // pixels, above and below the text
+        const QSize whole = QProxyStyle::sizeFromContents(type, option, size, widget);
+        return type == CT_ItemViewItem ? whole + QSize(0, kRoom) : whole;
     }
 };
 

@@ -12,6 +12,8 @@
 #include <QClipboard>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QItemSelectionModel>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QSortFilterProxyModel>
 #include <QTableView>

@@ -21,6 +21,7 @@
 #include <QAction>
 #include <QChildEvent>
 #include <QDockWidget>
+#include <QFont>
 #include <QScreen>
 #include <QScrollArea>
 #include <QStyle>
@@ -69,6 +70,13 @@ const char *const kTrackDock = "track_dock";
 /// The screen's size without a window manager's frame, estimated: it isn't known before the window is shown.
 QSize roomFor(const QWidget &window) {
     return window.screen()->availableSize() - QSize(0, 2 * window.style()->pixelMetric(QStyle::PM_TitleBarHeight));
+}
+
+/// Qt draws the titles of docks in the program's first font, unless they have one of their own.
+void giveTitleItsFont(QDockWidget &dock) {
+    QFont own;
+    own.setStyleHint(QFont::SansSerif); // all else remains the application's
+    dock.setFont(own);
 }
 
 /// Makes the content scroll on a small screen, so that the window can be smaller than the content.
@@ -139,6 +147,7 @@ void MainWindow::makeDocks() {
         names += row.name;
         auto *dock = new QDockWidget(tr(row.title), this);
         dock->setObjectName(QLatin1String(row.name));
+        giveTitleItsFont(*dock);
         QWidget *content = row.make(*this);
         dock->setWidget(row.share > 0.0 ? scrolled(content) : content);
         addDockWidget(row.area, dock);

@@ -11,6 +11,7 @@
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QTreeWidget>
 
 #include <cmath>
 #include <functional>
@@ -49,6 +50,8 @@ private slots:
     void legendIsWholeInANarrowPlot();
     void legendOfANarrowComparisonIsOneLine();
     void largerTextLeavesNumbersWhole();
+    void titlesOfDocksFollowTheTextSize();
+    void rowsOfListsAreHigherThanTheirText();
     void legendOfALowPlotIsWholeOrLeftOut();
     void legendLeavesASmallPlotToItsCurves();
     void hintIsWholeInAPlotThatBecameNarrow();
@@ -337,6 +340,29 @@ void TestWindowSmall::largerTextLeavesNumbersWhole() {
     QTRY_VERIFY2(isWhole(), qPrintable(QString::number(box->width())));
     m_fixture->trigger("text_size_0");
     QTRY_COMPARE(box->fontMetrics().height(), before);
+}
+
+void TestWindowSmall::titlesOfDocksFollowTheTextSize() {
+    auto *dock = m_fixture->find<QDockWidget>("levels_dock");
+    const QImage before = dock->grab().toImage().copy(0, 0, 100, dock->widget()->y());
+    m_fixture->trigger("text_size_2");
+    QTRY_VERIFY(dock->widget()->y() > before.height());
+    const auto darkPixels = [](const QImage &title) {
+        int count = 0;
+        for (int y = 0; y < title.height(); ++y)
+            for (int x = 0; x < title.width(); ++x) count += qGray(title.pixel(x, y)) < 100 ? 1 : 0;
+        return count;
+    };
+    const QImage after = dock->grab().toImage().copy(0, 0, 100, dock->widget()->y());
+    m_fixture->trigger("text_size_0");
+    QVERIFY2(4 * darkPixels(after) > 5 * darkPixels(before), qPrintable(QString::number(darkPixels(after))));
+}
+
+void TestWindowSmall::rowsOfListsAreHigherThanTheirText() {
+    m_fixture->trigger("show_watch_dock");
+    const auto *list = m_fixture->find<QTreeWidget>("watched");
+    const int height = list->visualItemRect(list->topLevelItem(0)).height();
+    QVERIFY2(3 * height >= 4 * list->fontMetrics().height(), qPrintable(QString::number(height)));
 }
 
 // In one line and in two.
