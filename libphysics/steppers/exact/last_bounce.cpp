@@ -27,7 +27,7 @@ constexpr double kHop = 1e-5;
 double higher(const MovingBall &ball) {
     constexpr double kHigher = 100.0, kHighest = 1e6;
     double factor = 1.0;
-    for (uint32_t many = kManyHops; many <= ball.hops && factor < kHighest; many += kManyHops / 4) factor *= kHigher;
+    for (uint32_t many = kManyHops; many <= ball.hops && factor < kHighest; many += kSomeHops) factor *= kHigher;
     return factor;
 }
 

@@ -19,8 +19,8 @@ inline constexpr uint32_t kSomeHops = 500 * kHopCount;
 inline bool hasSomeHops(const MovingBall &ball) { return ball.hops >= kSomeHops; }
 
 /// After this many hops in a step, a less exact result is better than none: last bounces may be higher, and after
-/// further quarters of it higher still.
-inline constexpr uint32_t kManyHops = 7'000 * kHopCount;
+/// kSomeHops more higher still. Steps that take no more than that hardly ever exceed the work limit.
+inline constexpr uint32_t kManyHops = 12'000 * kHopCount;
 inline bool hasManyHops(const MovingBall &ball) { return ball.hops >= kManyHops; }
 
 /// The largest height of last bounces at smooth contacts, m.
