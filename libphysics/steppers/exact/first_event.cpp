@@ -69,6 +69,17 @@ void cutWhen(const Holds &holds, double until, End &end) {
     }
 }
 
+/// The ball's motion at a moment of the phase.
+Moment momentAt(const Way &now, const Vec3 &spin, const MovingBall &ball) {
+    Moment moment = ball.moment();
+    moment.velocity = now.velocity;
+    moment.spin = spin;
+    return moment;
+}
+
+/// Turns a normal to where the phase has led the ball.
+void turn(Held &held, const Vec3 &way, double radius) { held.normal = hat(held.normal + held.across * way / radius); }
+
 /// When the load passes to a third contact, whose pair has the smaller sum of N from then on: model.md 14.1.
 template<class P>
 void cutAtExchange(const P &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
@@ -106,7 +117,7 @@ Some stillHeld(const Way &now, const Touching &touching, const Response &respons
         const double apart = glm::dot(one.normal, response.acceleration) + curvature(ball.moment(), one);
         const bool isLeft = std::abs(glm::dot(one.normal, now.velocity)) > ball.negligibleSpeed();
         if (!isClosed(response, i) && (isLeft || apart > response.noise)) continue;
-        one.normal = hat(one.normal + one.across * now.way / ball.radius());
+        turn(one, now.way, ball.radius());
         some.number[some.count] = i;
         some.held[some.count++] = one;
     }
@@ -127,9 +138,7 @@ double excess(const Series &phase, double t, const Touching &touching, const Res
     constexpr double kSame = 4e-9, kDirection = 16.0 * 0x1p-52;
     ball.work.add(phase.lookWork());
     const Way now = phase.at(t);
-    Moment moment = ball.moment();
-    moment.velocity = now.velocity;
-    moment.spin = phase.spinAt(t);
+    const Moment moment = momentAt(now, phase.spinAt(t), ball);
     const Some some = stillHeld(now, touching, response, ball);
     const Response chosen = respond(moment, {some.held.data(), some.count}, ball.work);
     if (!chosen.isFound || !onlySlips(chosen)) return 0.0;
@@ -164,12 +173,10 @@ template<class P>
 double relief(const P &phase, double t, uint32_t leaving, const Touching &touching, MovingBall &ball) {
     ball.work.add(phase.lookWork() + Work::kEquations);
     const Way now = phase.at(t);
-    Moment moment = ball.moment();
-    moment.velocity = now.velocity;
-    moment.spin = phase.spinAt(t);
+    Moment moment = momentAt(now, phase.spinAt(t), ball);
     Held left = touching.held(leaving), other = touching.held(1 - leaving);
-    left.normal = hat(left.normal + left.across * now.way / ball.radius());
-    other.normal = hat(other.normal + other.across * now.way / ball.radius());
+    turn(left, now.way, ball.radius());
+    turn(other, now.way, ball.radius());
     const Vec3 slip = slipAt(moment, other.normal); // rounding, as it sticks
     moment.velocity -= 2.0 / 7.0 * slip;
     moment.spin += 5.0 / 7.0 / ball.radius() * glm::cross(other.normal, slip);

@@ -66,8 +66,7 @@ void turnNormals(const MovingBall &ball, const Response &response, Touching &tou
         const phys_box &box = ball.scene().boxes[contact.box];
         Vec3 away(0.0);
         for (int axis = 0; axis < 3; ++axis) {
-            const int side = contact.sides[axis];
-            if (side != 0) away[axis] = ball.position[axis] - (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]);
+            if (contact.sides[axis] != 0) away[axis] = ball.position[axis] - planeOf(box, axis, contact.sides[axis]);
         }
         touching.held(i).normal = hat(away);
     }
@@ -111,7 +110,7 @@ void keepEdges(const Touching &touching, const Response &response, MovingBall &b
         for (int axis = 0; axis < 3; ++axis) {
             const int side = contact.sides[axis];
             if (side == 0) continue;
-            sum[axis] += (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]) + ball.radius() * n[axis];
+            sum[axis] += planeOf(box, axis, side) + ball.radius() * n[axis];
             count[axis] += 1.0;
         }
     }
@@ -127,7 +126,7 @@ void keepFaces(const Touching &touching, const Response &response, MovingBall &b
         if (!isClosed(response, i) || !contact.isFace()) continue;
         const phys_box &box = ball.scene().boxes[contact.box];
         const int axis = axisOf(contact), side = contact.sides[axis];
-        ball.position[axis] = (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]) + side * ball.radius();
+        ball.position[axis] = planeOf(box, axis, side) + side * ball.radius();
         for (uint32_t j = 0; j < i; ++j) {
             const Contact &other = touching.contactOf(j);
             if (!isClosed(response, j) || !other.isFace() || other.sides[axis] != -side) continue;

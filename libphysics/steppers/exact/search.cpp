@@ -7,7 +7,7 @@ bool Outlook::isBehind(const Contact &face, const phys_box &other) const {
     const phys_box &own = box(face.box);
     for (int axis = 0; axis < 3; ++axis) {
         const int sign = face.sides[axis];
-        if (sign != 0) return sign * (side(other, axis, sign) - side(own, axis, sign)) <= scene.tolerance;
+        if (sign != 0) return sign * (planeOf(other, axis, sign) - planeOf(own, axis, sign)) <= scene.tolerance;
     }
     return false;
 }
@@ -45,8 +45,9 @@ bool Outlook::isKept(uint32_t number, const phys_box &other) const {
         for (int axis = 0; axis < 3; ++axis) {
             const int sign = contact.sides[axis];
             const double low = (&other.min.x)[axis], high = (&other.max.x)[axis];
-            isSame = isSame && (sign != 0 ? std::abs(side(other, axis, sign) - side(own, axis, sign)) <= scene.tolerance
-                                          : position[axis] >= low && position[axis] <= high);
+            isSame = isSame &&
+                     (sign != 0 ? std::abs(planeOf(other, axis, sign) - planeOf(own, axis, sign)) <= scene.tolerance
+                                : position[axis] >= low && position[axis] <= high);
         }
         if (isSame) return true;
     }
@@ -99,7 +100,7 @@ double Target::gap(const Vec3 &way, double radius, Vec3 &n) const {
 bool Stretch::passes(const phys_box &box) const {
     double first = 0.0, last = 1.0; // shares of the line
     for (int axis = 0; axis < 3; ++axis) {
-        const double low = side(box, axis, -1) - off - start[axis], high = side(box, axis, 1) + off - start[axis];
+        const double low = planeOf(box, axis, -1) - off - start[axis], high = planeOf(box, axis, 1) + off - start[axis];
         const double way = end[axis] - start[axis];
         if (way == 0.0) {
             if (low > 0.0 || high < 0.0) return true;
@@ -118,13 +119,13 @@ bool carriesOn(const Outlook &around, const Contact &face, const Vec3 &p, const 
     visitNear(around.scene, p, around.scene.radius + 2.0 * tolerance, [&](const phys_box &other, uint32_t) {
         for (int axis = 0; axis < 3; ++axis) {
             const int sign = face.sides[axis];
-            if (sign != 0 && std::abs(side(other, axis, sign) - side(own, axis, sign)) > tolerance) return;
+            if (sign != 0 && std::abs(planeOf(other, axis, sign) - planeOf(own, axis, sign)) > tolerance) return;
             if (sign == 0 &&
-                (p[axis] < side(other, axis, -1) - tolerance || p[axis] > side(other, axis, 1) + tolerance))
+                (p[axis] < planeOf(other, axis, -1) - tolerance || p[axis] > planeOf(other, axis, 1) + tolerance))
                 return;
         }
         const double beyond =
-            at.inward < 0.0 ? side(other, at.axis, 1) - at.coordinate : at.coordinate - side(other, at.axis, -1);
+            at.inward < 0.0 ? planeOf(other, at.axis, 1) - at.coordinate : at.coordinate - planeOf(other, at.axis, -1);
         if (beyond <= furthest) return;
         furthest = beyond;
         box = other;
@@ -135,7 +136,7 @@ bool carriesOn(const Outlook &around, const Contact &face, const Vec3 &p, const 
 double distanceFromAbove(const phys_box &box, const Vec3 &point, Vec3 &away) {
     Vec3 out(0.0), toward(0.0); // beyond the nearer side along each axis, and its direction
     for (int axis = 0; axis < 2; ++axis) {
-        const double low = side(box, axis, -1) - point[axis], high = point[axis] - side(box, axis, 1);
+        const double low = planeOf(box, axis, -1) - point[axis], high = point[axis] - planeOf(box, axis, 1);
         out[axis] = std::max(low, high);
         toward[axis] = low > high ? -1.0 : 1.0;
     }

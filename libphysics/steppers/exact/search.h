@@ -18,8 +18,8 @@ namespace phys {
 /// are different contacts.
 inline double sameNormal(const Scene &scene) { return 4.0 * (kRounding + scene.tolerance / scene.radius); }
 
-/// Of a box along an axis, m.
-inline double side(const phys_box &box, int axis, int sign) {
+/// Where the face on a side of a box is along an axis, m.
+inline double planeOf(const phys_box &box, int axis, int sign) {
     return sign > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis];
 }
 
@@ -368,8 +368,7 @@ Border firstBorder(const Outlook &around, const Contact &contact, const phys_box
         for (const double sign : {-1.0, 1.0}) {
             // Over the box: its two ends. Beside it: the nearer end, from outside.
             if (side != 0 && side != (sign > 0.0 ? 1 : -1)) continue;
-            Border border{kNever, axis, sign > 0.0 ? (&box.max.x)[axis] : (&box.min.x)[axis], side == 0 ? -sign : sign,
-                          box};
+            Border border{kNever, axis, planeOf(box, axis, sign > 0.0 ? 1 : -1), side == 0 ? -sign : sign, box};
             if (border.inward * (around.position[axis] - border.coordinate) > way || around.isBarred(axis)) continue;
             border.after = borderTime(around, phase, border, from, until);
             if (border.after < first.after) first = border;
@@ -424,7 +423,7 @@ void cutAtLevelFloor(const Outlook &around, const Phase &phase, double until, do
         Vec3 away;
         distanceFromAbove(box, centre, away);
         const int axis = std::abs(away.x) >= std::abs(away.y) ? 0 : 1;
-        first = {t, axis, side(box, axis, away[axis] > 0.0 ? 1 : -1), -away[axis], box};
+        first = {t, axis, planeOf(box, axis, away[axis] > 0.0 ? 1 : -1), -away[axis], box};
         return t;
     };
     firstAlong(around, phase, 0.0, std::min(until, first.after), length, find);
