@@ -261,7 +261,7 @@ void TestWindowRefusals::endingOfAnotherKindIsRefused_data() {
                                    << ".rec or .csv or .png";
     QTest::newRow("plot as a drawing") << "save_plot"
                                        << "a.svg"
-                                       << ".csv or .png or .pdf";
+                                       << ".png or .pdf or .csv";
     QTest::newRow("recording as a table") << "record"
                                           << "a.csv"
                                           << ".rec";
