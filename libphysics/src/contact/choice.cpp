@@ -97,11 +97,13 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
     for (uint32_t i = 0; i < count; ++i) {
         const Reaction &reaction = response.reactions[i];
         Lasting &contact = lasting[number[i]];
-        contact.reaction = h * std::max(0.0, reaction.pressure);
+        contact.isIdle = contact.isGlued && reaction.mode == Mode::open;
+        // Pressure of rounding size might grow by the friction of a very rough contact opposite to another.
+        if (reaction.pressure <= response.noise) continue;
+        contact.reaction = h * reaction.pressure;
         contact.rubbing = h * tangential(reaction.force, held[i].normal);
         contact.isSpent = reaction.mode == Mode::slipping || reaction.mode == Mode::starting;
-        contact.isIdle = contact.isGlued && reaction.mode == Mode::open;
-        contact.rolls = contact.isTop && reaction.mode == Mode::sticking && contact.reaction > 0.0;
+        contact.rolls = contact.isTop && reaction.mode == Mode::sticking;
         if (contact.rolls && rollingFriction > 0.0) contact.resisting = tangential(resisting, held[i].normal);
     }
     lasting.setChosen();

@@ -256,6 +256,8 @@ private slots:
     void aSpeedOfRoundingSizeLeavesNoContact();
     void aSpinThatUnderflowsIsNone_data() { addStepperRows(); }
     void aSpinThatUnderflowsIsNone();
+    void theIdleWallOfTwoBrakesNothing_data() { addStepperRows(); }
+    void theIdleWallOfTwoBrakesNothing();
     void randomStartsAccelerateAsInExact_data() { addStepperRows(); }
     void randomStartsAccelerateAsInExact();
 };
@@ -369,6 +371,28 @@ void TestSeveralSolutions::aSpinThatUnderflowsIsNone() {
     start.spin = {3.7e-270, 0.0, -8.9e-270};
     const double off = distance(accelerationsOf(stepper, start), wanted);
     QVERIFY2(off < 1e-3, qPrintable(QStringLiteral("off by %1 m/s^2").arg(off)));
+}
+
+/// Between walls exactly as far apart as the ball is wide, of which one presses; it rolls over an edge below.
+void TestSeveralSolutions::theIdleWallOfTwoBrakesNothing() {
+    QFETCH(QByteArray, stepper);
+    constexpr double kStep = 0x1p-16;
+    constexpr int kSteps = 400;
+    const double edge = std::sqrt(1.0 / 2.0);
+    const auto scene = SceneBuilder()
+                           .ball(1.0)
+                           .box({{-2.0, -9.0, -9.0}, {-1.0, 9.0, 9.0}})
+                           .box({{1.0, -9.0, -9.0}, {2.0, 9.0, 9.0}})
+                           .box({{-1.2, edge, -2.0}, {1.2, 2.0, -edge}})
+                           .start({0.0, 0.0, -50.0});
+    Experiment ball(scene, stepper, PHYS_MODEL_RIGID);
+    ball.params.gravity = {0.875, 0.0, -0.625};
+    ball.params.wall_friction = 1e3;
+    ball.state.position = {0.0, 0.0, 0.0};
+    QVERIFY2(ball.stepTimes(kSteps, kStep), ball.error());
+    // It turns about the line through both points, at 1/sqrt(2) from its centre: the inertia is 1 + (2/5)/(1/2).
+    const double off = ball.state.velocity.y + 0.625 / 2.0 / 1.8 * kSteps * kStep;
+    QVERIFY2(std::abs(off) < 1e-6, qPrintable(QStringLiteral("off by %1 m/s").arg(off)));
 }
 
 void TestSeveralSolutions::randomStartsAccelerateAsInExact() {
