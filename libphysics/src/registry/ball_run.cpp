@@ -7,7 +7,6 @@
 #include "registry/params.h"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 
 namespace phys {
@@ -101,8 +100,7 @@ uint64_t BallRun::stepsOfSameGravity(uint64_t step) const {
     const uint64_t most = nextStop() - (step + 1);
     if (!m_gravity || m_batch->gravity_step_stride == 0) return most;
     uint64_t count = 0;
-    while (count < most && std::memcmp(&gravity(step + 1 + count), &m_params.gravity, sizeof m_params.gravity) == 0)
-        ++count;
+    while (count < most && areSame(gravity(step + 1 + count), m_params.gravity)) ++count;
     return count;
 }
 

@@ -4,6 +4,7 @@
 
 #include "registry/stepper.h"
 
+#include <cstring>
 #include <type_traits>
 
 namespace phys {
@@ -13,6 +14,11 @@ template<class T>
 T *at(T *first, size_t stride, uint64_t index) {
     using Byte = std::conditional_t<std::is_const_v<T>, const char, char>;
     return reinterpret_cast<T *>(reinterpret_cast<Byte *>(first) + stride * index);
+}
+
+/// Whether their bits are the same: zeros have a sign.
+inline bool areSame(const phys_vec3 &a, const phys_vec3 &b) {
+    return std::memcmp(static_cast<const void *>(&a), static_cast<const void *>(&b), sizeof a) == 0;
 }
 
 /// Number of states in a ball's path.

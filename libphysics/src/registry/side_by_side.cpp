@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <utility>
 
 namespace phys {
@@ -140,7 +139,7 @@ void SideBySide::loadGravity() {
     each(m_inLanes, [this](uint32_t lane) {
         const phys_vec3 *last = m_gravity[lane];
         m_gravity[lane] = at(last, m_batch.gravity_step_stride, 1);
-        if (std::memcmp(last, m_gravity[lane], sizeof *last) != 0) tilt(lane);
+        if (!areSame(*last, *m_gravity[lane])) tilt(lane);
     });
 }
 
