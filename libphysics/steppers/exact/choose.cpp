@@ -67,44 +67,58 @@ Vec3 findFree(const MovingBall &ball, const Touching &touching, Response &respon
     return freeAxes(ball.moment(), touching.held(), response);
 }
 
-/// Whether the ball moves round an edge or corner, not only along it.
-bool movesRound(const MovingBall &ball, const Held &held, const Response &response) {
-    if (isFace(held)) return false;
-    return glm::length(tangential(held.across * ball.motion.velocity, held.normal)) > ball.negligibleSpeed() ||
-           glm::length(tangential(held.across * response.acceleration, held.normal)) > response.noise;
-}
-
-/// Whether a direction is opposite to one of two normals, or to a sum of both with positive factors.
-bool isOpposite(const Vec3 &direction, const Vec3 &a, const Vec3 &b) {
+/// How a normal is composed of two others. False if it isn't in their plane, or in their line and not opposite.
+bool compose(const Vec3 &normal, const Vec3 &a, const Vec3 &b, std::array<double, 2> &shares) {
     constexpr double kParallel = 4.0 * kFits; // sine of an angle
     const Vec3 line = glm::cross(a, b);
     const double square = squared(line);
-    if (square <= kParallel * kParallel) return squared(direction + a) <= kParallel * kParallel;
-    if (std::abs(glm::dot(direction, line)) > kParallel * std::sqrt(square)) return false;
-    return glm::dot(glm::cross(direction, b), line) <= kParallel * square &&
-           glm::dot(glm::cross(a, direction), line) <= kParallel * square;
+    shares = {-1.0, 0.0};
+    if (square <= kParallel * kParallel) return squared(normal + a) <= kParallel * kParallel;
+    if (std::abs(glm::dot(normal, line)) > kParallel * std::sqrt(square)) return false;
+    shares = {glm::dot(glm::cross(normal, b), line) / square, glm::dot(glm::cross(a, normal), line) / square};
+    return true;
 }
 
-/// Whether other closed contacts keep the ball from moving into this one's normal.
-bool isLocked(uint32_t contact, const Touching &touching, const Response &response) {
-    for (uint32_t i = 0; i < touching.count(); ++i) {
-        for (uint32_t j = 0; j <= i; ++j) {
-            if (i == contact || j == contact || !isClosed(response, i) || !isClosed(response, j)) continue;
-            if (isOpposite(touching.held(contact).normal, touching.held(i).normal, touching.held(j).normal))
-                return true;
-        }
-    }
-    return false;
+/// The direction in which the ball moves, or starts to.
+Vec3 heading(const MovingBall &ball, const Response &response) {
+    const Vec3 &v = ball.motion.velocity, &a = response.acceleration;
+    if (glm::length(v) > ball.negligibleSpeed()) return hat(v);
+    return glm::length(a) > response.noise ? hat(a) : Vec3(0.0);
 }
 
-/// Of features that lock the ball across, those that don't press open: where it leaves the narrowest place between them
+/// Whether two other closed contacts, in whose plane its normal is, lead the ball off one that doesn't press, though
+/// its gap doesn't open at once; or whether they keep the ball from pressing it where a slip starts.
+bool isLeftBeside(uint32_t idle, uint32_t one, uint32_t two, const Vec3 &way, const Touching &touching,
+                  const Response &response) {
+    constexpr double kLeast = 1e-9; // of the square of the way
+    std::array<double, 2> shares;
+    if (!compose(touching.held(idle).normal, touching.held(one).normal, touching.held(two).normal, shares))
+        return false;
+    const bool isLocked = shares[0] <= kLeast && shares[1] <= kLeast;
+    if (isLocked && response.reactions[idle].mode == Mode::starting) return true;
+    const auto bend = [&](uint32_t i) {
+        return squared(tangential(touching.held(i).across * way, touching.held(i).normal));
+    };
+    const auto presses = [&](uint32_t i) { return response.reactions[i].pressure > response.noise; };
+    double opens = bend(idle);
+    if (presses(one)) opens -= shares[0] * bend(one);
+    if (presses(two)) opens -= shares[1] * bend(two);
+    return opens > kLeast && (isLocked || presses(one) || presses(two));
+}
+
+/// Opens contacts that don't press: where the ball leaves the narrowest place between features that leave it one line,
 /// no gap opens at once; and where a slip starts, series would leave their pressure undetermined. model.md 14.1.
-void openLocked(const MovingBall &ball, const Touching &touching, Response &response) {
+void openLeft(const MovingBall &ball, const Touching &touching, Response &response) {
+    const Vec3 way = heading(ball, response);
     uint32_t opening = 0;
-    for (uint32_t i = 0; i < touching.count(); ++i) {
-        if (!isClosed(response, i) || response.reactions[i].pressure > response.noise) continue;
-        if (response.reactions[i].mode != Mode::starting && !movesRound(ball, touching.held(i), response)) continue;
-        opening |= (isLocked(i, touching, response) ? 1U : 0U) << i;
+    for (uint32_t idle = 0; idle < touching.count(); ++idle) {
+        if (!isClosed(response, idle) || response.reactions[idle].pressure > response.noise) continue;
+        for (uint32_t i = 0; i < touching.count(); ++i) {
+            for (uint32_t j = 0; j <= i; ++j) {
+                if (i == idle || j == idle || !isClosed(response, i) || !isClosed(response, j)) continue;
+                opening |= (isLeftBeside(idle, i, j, way, touching, response) ? 1U : 0U) << idle;
+            }
+        }
     }
     for (uint32_t i = 0; i < touching.count(); ++i) {
         if (!(opening >> i & 1U)) continue;
@@ -252,7 +266,7 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
     if (hasManyHops(ball)) stopSpinAlong(touching, ball);
     Response &response = choice.response;
     if (const phys_status status = respondNow(touching, ball, response)) return status;
-    openLocked(ball, touching, response);
+    openLeft(ball, touching, response);
     balance(ball, touching, response);
     const Vec3 free = findFree(ball, touching, response);
     response.acceleration *= free;

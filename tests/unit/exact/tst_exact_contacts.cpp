@@ -434,6 +434,11 @@ void ExactContacts::whatPressesNothingBrakesNothing_data() {
     QTest::newRow("a facing post, pressed to the other one")
         << Boxes{exact::wall(1, -0.5, 3, 0), exact::wall(-3, -0.5, -1, 0)} << phys_vec3{0.5, 1, 0} << 0.0;
     QTest::newRow("a wall behind") << Boxes{right, kerb, left} << phys_vec3{0.875, 0, -0.625} << 1.0;
+    const double root = std::sqrt(third);
+    const phys_box below{{-2, -2, -2}, {third * -2, -third, third}}, above{{-2, third, third * 5}, {third * -2, 2, 3}};
+    const phys_box post{{-2, -2, 0.2}, {-side, -side, 2}}, corner{{root, root, -0.3}, {2, 2, 1 - root}};
+    QTest::newRow("a wall behind two corners") << Boxes{below, above, right} << phys_vec3{-9, 0, 6} << 0.0;
+    QTest::newRow("a kerb's corner behind a post") << Boxes{floor, post, corner} << phys_vec3{-9, 4, -3} << 1.0;
     QTest::newRow("a roof's corner over a floor") << Boxes{floor, near, far} << phys_vec3{7.35, -8.6, -2.45} << 1.13;
 }
 
