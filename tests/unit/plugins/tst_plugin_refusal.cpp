@@ -14,7 +14,7 @@ QByteArray fixture(const QByteArray &name) { return QByteArray(FIXTURES "/refuse
 
 /// A message: of a path that is too long, as that of a build folder may be, the end.
 QByteArray lineOf(const QByteArray &path, const QByteArray &reason) {
-    const QByteArray line = path + ": " + reason;
+    QByteArray line = path + ": " + reason;
     const qsizetype most = sizeof(phys_error::text) - 1;
     if (line.size() <= most) return line;
     const qsizetype room = std::max<qsizetype>(64, most - reason.size() - 2);
