@@ -5,6 +5,9 @@
 
 namespace phys {
 
+/// Share of the chosen pressure that a solution may have once normals have turned within the substep.
+constexpr double kMostAfterTurn = 1.2;
+
 /// Lets those contacts roll that stick. Returns whether any of them didn't yet.
 bool LastingContacts::updateRolling() {
     bool any = false;
@@ -25,6 +28,7 @@ void LastingContacts::keep(const LastingContacts &chosen) {
         contact.resisting = chosen[i].resisting;
     }
     m_isChosen = true;
+    m_mostPressure = kMostAfterTurn;
 }
 
 /// Of several contacts chosen to stick, one whose gap is still to be closed slips only along the lines between them.
@@ -38,8 +42,7 @@ void LastingContacts::closeBySticking() {
 
 /// Newton's method from the chosen impulses leads to the solution near them, if any: sweeps may lead to another one.
 bool LastingContacts::keepChoice(double rollingFriction, double negligible, Motion &motion) {
-    constexpr double kNear = 2.0;
-    const double most = kNear * pressure() + negligible;
+    const double most = m_mostPressure * pressure() + negligible;
     const auto solveHere = [&] {
         return solvePressed(rollingFriction, negligible, motion) ||
                solveCoulomb({{begin(), end()}, m_radius, rollingFriction, negligible, *m_work}, motion);

@@ -105,7 +105,8 @@ private:
     double m_radius;
     Work *m_work;
     bool m_isChosen = false;
-    bool m_needsNewton = false; ///< sweeps converged too slowly the last time
+    double m_mostPressure = 2.0; ///< share of the chosen pressure that the solution near it may have
+    bool m_needsNewton = false;  ///< sweeps converged too slowly the last time
 };
 
 } // namespace phys
