@@ -14,8 +14,6 @@ namespace inspector {
 
 namespace {
 
-constexpr int kOthersAhead = 24;                ///< boards
-constexpr uint64_t kOthersSeed = 1;             ///< fixed, so that moving a slider doesn't resample them
 const QString kModel = QStringLiteral("model"); ///< the row's id
 const QString kTilt = QStringLiteral("tilt_");  ///< begin of the ids of the board's two
 
@@ -71,11 +69,10 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_stepperId(options.stepper)
     , m_dt(options.dt)
     , m_speed(options.speed)
-    , m_unknowns(parseUnknowns(usualUnknowns(), nullptr).value_or(Unknowns()))
     , m_game(mazesOf(options.levels), settings)
     , m_simulation(std::make_unique<Simulation>(scene, stepper, origin()))
     , m_comparison(std::make_unique<Comparison>(*this))
-    , m_wayFinder(options.registry)
+    , m_lookAhead(options.registry)
     , m_liveUncertainty(options.registry) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
     connect(this, &Session::levelOpened, this, &Session::layTrackOver);
@@ -478,61 +475,6 @@ bool Session::followTrack(bool isOn) {
     }
     emit trackChanged();
     return true;
-}
-
-void Session::showWayAhead(bool isOn) {
-    m_showsWay = isOn;
-    askAnew();
-}
-
-void Session::showOthersAhead(bool isOn) {
-    m_showsOthers = isOn;
-    askAnew();
-}
-
-void Session::setUnknowns(const Unknowns &unknowns) {
-    if (unknowns == m_unknowns) return;
-    m_unknowns = unknowns;
-    askAnew();
-}
-
-void Session::askAnew() {
-    m_askedFor = 0;
-    m_way = {};
-    ++m_ways;
-}
-
-std::vector<OtherBoard> Session::otherBoards(const Snapshot &now) const {
-    std::vector<OtherBoard> boards;
-    if (!m_showsOthers || now.running || m_unknowns.empty()) return boards;
-    for (const SampledBoard &board : sampleBoards(m_unknowns, now.inputs, kOthersAhead, kOthersSeed)) {
-        Inputs inputs{board.params, {}, board.gravity};
-        tiltBoard(inputs, {now.inputs.tilt.x + board.tiltOffset.x, now.inputs.tilt.y + board.tiltOffset.y});
-        boards.push_back({inputs.params, board.startOffset});
-    }
-    return boards;
-}
-
-/// Asks once per moment; the answer arrives a little later.
-void Session::lookAhead(const Snapshot &now) {
-    if (!m_showsWay) return;
-    const uint64_t answers = m_wayFinder.answers();
-    if (answers != m_ways) m_way = m_wayFinder.latest();
-    m_ways = answers;
-    if (now.current.flags & PHYS_OUT) m_way = {};
-    const bool hasOthers = m_showsOthers && !now.running;
-    const uint64_t moment = 2 * now.number + (hasOthers ? 1 : 0);
-    if (moment == m_askedFor || (now.current.flags & PHYS_OUT)) return;
-    m_askedFor = moment;
-    m_wayFinder.ask(m_scene, now.current, now.inputs.params, otherBoards(now));
-}
-
-void Session::lookAheadAtOnce() {
-    if (!m_showsWay) return;
-    const Snapshot now = m_simulation->latest();
-    const Stepper exact = makeStepper(m_registry, "exact", m_scene, nullptr);
-    const bool isAhead = exact && !(now.current.flags & PHYS_OUT);
-    m_way = isAhead ? inspector::wayAhead(exact, now.current, now.inputs.params, otherBoards(now)) : WayAhead{};
 }
 
 QStringList Session::openFiles() const {

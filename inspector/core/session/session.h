@@ -9,13 +9,12 @@
 #include "core/session/comparison.h"
 #include "core/session/game.h"
 #include "core/session/live_uncertainty.h"
+#include "core/session/look_ahead.h"
 #include "core/setup/handles.h"
 #include "core/setup/levels.h"
 #include "core/setup/parameters.h"
 #include "core/simulation/departure.h"
 #include "core/simulation/simulation.h"
-#include "core/simulation/way_ahead.h"
-#include "core/trade/unknowns.h"
 
 #include <QObject>
 #include <QSettings>
@@ -68,6 +67,7 @@ public:
     Simulation &simulation() { return *m_simulation; }
     Game &game() { return m_game; }
     Comparison &comparison() { return *m_comparison; }
+    LookAhead &lookAhead() { return m_lookAhead; }
     LiveUncertainty &liveUncertainty() { return m_liveUncertainty; }
     QSettings &settings() { return m_settings; }
     const std::vector<Level> &levels() const { return m_levels; }
@@ -156,18 +156,6 @@ public:
     /// this. Off (a tilt key does this, too): the player controls the board. False if the track has no tilts.
     bool followTrack(bool isOn);
     bool isFollowingTrack() const { return m_followsTrack; }
-
-    /// The predicted path of the ball from the moment shown if nothing changes; empty unless shown.
-    void showWayAhead(bool isOn);
-    const WayAhead &wayAhead() const { return m_way; }
-    /// Computes it synchronously for the moment shown, for a picture; otherwise it lags a little.
-    void lookAheadAtOnce();
-    uint64_t waysAhead() const { return m_ways; } ///< changes with every update
-    /// Also shows, while paused, the paths on other possible boards.
-    void showOthersAhead(bool isOn);
-    /// What is unknown about the board; initially as for a hand-built board.
-    const Unknowns &unknowns() const { return m_unknowns; }
-    void setUnknowns(const Unknowns &unknowns);
 
     // ---- the past: the history of what was played, which can be shown and taken over ----
 
@@ -278,9 +266,6 @@ private:
     bool lookBack();
     bool isAtPresent(const RunPlace &run) const;
     void watchRuns(const Snapshot &now);
-    void lookAhead(const Snapshot &now);
-    void askAnew();
-    std::vector<OtherBoard> otherBoards(const Snapshot &now) const;
     void keepOldFuture(uint64_t place);
     std::vector<SettingsSpan> settingsSpans(uint64_t begin, uint64_t end);
     void noteDifference(uint64_t replay, const Difference &difference);
@@ -310,12 +295,6 @@ private:
     std::optional<LookingBack> m_past;
     bool m_isFollowing = false; ///< parameters are being set to those of the moment shown
     std::optional<phys_state> m_ownStart;
-    bool m_showsWay = false;
-    bool m_showsOthers = false;
-    Unknowns m_unknowns;
-    uint64_t m_askedFor = 0; ///< identifies the moment asked for, with or without others
-    WayAhead m_way;
-    uint64_t m_ways = 0;
     std::vector<KeptRun> m_runs;
     /// What made the steps before a run that continues another one.
     struct Continued {
@@ -335,7 +314,7 @@ private:
     Game m_game;
     std::unique_ptr<Simulation> m_simulation;
     std::unique_ptr<Comparison> m_comparison;
-    WayFinder m_wayFinder;
+    LookAhead m_lookAhead;
     LiveUncertainty m_liveUncertainty;
     std::shared_ptr<const ShownTrack> m_track;
     QString m_trackMaze; ///< path

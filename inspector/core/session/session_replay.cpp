@@ -70,7 +70,7 @@ void Session::goOnFromHere() {
 
 void Session::followReplay(const Snapshot &now) {
     watchRuns(now);
-    lookAhead(now);
+    m_lookAhead.follow(now, m_scene);
     if (m_replay && now.replay.number == m_replay->number)
         follow(*m_replay->recording, m_replay->segment, now.replay.segment);
     if (!m_past || now.replay.number != m_past->number) return;

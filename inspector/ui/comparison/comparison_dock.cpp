@@ -103,7 +103,7 @@ void ComparisonDock::refresh(const Snapshot &now) {
     if (!isVisible()) return;
     if (!m_session.isInPast()) // the past has nothing new
         m_session.liveUncertainty().follow(now, m_session.simulation().samples(), m_session.scene(),
-                                           m_session.unknowns());
+                                           m_session.lookAhead().unknowns());
     if (visibleRegion().isEmpty()) return; // behind another dock: once it is seen
     const bool isOfLiveRun = now.history.place >= now.history.run;
     m_band = isOfLiveRun ? m_session.liveUncertainty().band() : nullptr;

@@ -344,7 +344,7 @@ std::optional<Unknowns> TradeDock::unknowns() {
 
 void TradeDock::showReady() {
     const std::optional<Unknowns> unknowns = this->unknowns();
-    if (unknowns) m_session.setUnknowns(*unknowns);
+    if (unknowns) m_session.lookAhead().setUnknowns(*unknowns);
     const bool isReady = unknowns && !m_schedule->words().isEmpty();
     m_measure->setEnabled(m_worker.isRunning() || isReady);
     if (m_worker.isRunning()) return;

@@ -152,7 +152,7 @@ void MainWindow::connectSession() {
     m_afterLayout.setSingleShot(true);
     connect(&m_afterLayout, &QTimer::timeout, m_dockRoom, &DockRoom::follow);
     connectBounces();
-    m_session.showWayAhead(action("way_ahead")->isChecked());
+    m_session.lookAhead().show(action("way_ahead")->isChecked());
     action("autopilot")->setChecked(m_session.hasAutopilot());
     action("record")->setChecked(m_session.isRecording());
     showComparison();
@@ -203,13 +203,13 @@ void MainWindow::selectBounceAt(const gl::Ray &ray) {
 /// While the simulation runs, the ball also moves between two snapshots.
 bool MainWindow::hasNewFrame() {
     const Snapshot &now = m_session.simulation().latest();
-    const uint64_t seen = now.number + m_session.waysAhead();
+    const uint64_t seen = now.number + m_session.lookAhead().updates();
     return now.running || seen != std::exchange(m_drawn, seen);
 }
 
 gl::Frame MainWindow::frame() const {
     gl::Frame frame = currentFrame(m_session);
-    addWayAhead(frame, m_session.wayAhead());
+    addWayAhead(frame, m_session.lookAhead().way());
     m_hand->addArrow(frame.strokes);
     m_ruler->addTo(frame.strokes);
     if (m_showsBounces->isChecked()) addMarks(frame.strokes, m_bounces->marks(), m_session.scene().get());
@@ -276,7 +276,7 @@ bool MainWindow::grabTo(const QString &path, QString *error) {
     refresh();
     m_session.liveUncertainty().finish(); // this and the next lines make pictures of the same moment identical
     refresh();
-    m_session.lookAheadAtOnce();
+    m_session.lookAhead().computeAtOnce(m_session.simulation().latest(), m_session.scene());
     m_status->leaveOutClock();
     QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // lay out new texts
     for (QCustomPlot *plot : findChildren<QCustomPlot *>())

@@ -482,10 +482,10 @@ void MainWindow::toggleBounces() {
 void MainWindow::toggleWayAhead() {
     const bool isOn = action("way_ahead")->isChecked();
     m_session.settings().setValue(settings_keys::kShowWayAhead, isOn);
-    m_session.showWayAhead(isOn);
+    m_session.lookAhead().show(isOn);
 }
 
-void MainWindow::toggleOthersAhead() { m_session.showOthersAhead(action("others_ahead")->isChecked()); }
+void MainWindow::toggleOthersAhead() { m_session.lookAhead().showOthers(action("others_ahead")->isChecked()); }
 
 void MainWindow::goToNextPart() { moveKeyboard(*this, *m_view, 1); }
 void MainWindow::goToPartBefore() { moveKeyboard(*this, *m_view, -1); }

@@ -89,7 +89,7 @@ double distanceIn(Session &session) {
 Band showBand(Session &session) {
     LiveUncertainty &uncertainty = session.liveUncertainty();
     Simulation &simulation = session.simulation();
-    uncertainty.follow(simulation.latest(), simulation.samples(), session.scene(), session.unknowns());
+    uncertainty.follow(simulation.latest(), simulation.samples(), session.scene(), session.lookAhead().unknowns());
     uncertainty.finish();
     return *uncertainty.band();
 }

@@ -63,7 +63,7 @@ private:
     }
     size_t otherWays() {
         m_fixture->window().refresh();
-        return m_fixture->session().wayAhead().others.size();
+        return m_fixture->session().lookAhead().way().others.size();
     }
     void dragBall(double dx, double dy, Qt::KeyboardModifiers modifiers = {});
     void placeBall(double dx, double dy, Qt::KeyboardModifiers modifiers = {});
@@ -445,7 +445,7 @@ void TestWindowBall::ballPlacedAtOnceAfterRunStandsStill() {
 void TestWindowBall::wayAheadFollowsASlider() {
     const auto endOf = [&] {
         m_fixture->window().refresh();
-        const std::vector<phys_vec3> &points = m_fixture->session().wayAhead().points;
+        const std::vector<phys_vec3> &points = m_fixture->session().lookAhead().way().points;
         return points.empty() ? ball().position.y : points.back().y;
     };
     m_fixture->press(Qt::Key_W);
@@ -460,7 +460,7 @@ void TestWindowBall::wayAheadCanBeSwitchedOff() {
     m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}});
     const auto size = [&] {
         m_fixture->window().refresh();
-        return m_fixture->session().wayAhead().points.size();
+        return m_fixture->session().lookAhead().way().points.size();
     };
     QTRY_VERIFY(size() > 10);
     m_fixture->press(Qt::Key_W);
@@ -472,7 +472,7 @@ void TestWindowBall::pictureShowsTheWayAheadOfItsMoment() {
     m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}});
     QTRY_VERIFY(m_fixture->simulation().latest().inputs.tilt.y > 0.0);
     QVERIFY(m_fixture->window().grabTo(m_fixture->path("window.png"), nullptr));
-    const std::vector<phys_vec3> &points = m_fixture->session().wayAhead().points;
+    const std::vector<phys_vec3> &points = m_fixture->session().lookAhead().way().points;
     QVERIFY(!points.empty() && points.back().y > ball().position.y + 0.01); // without waiting for it
 }
 
@@ -481,9 +481,9 @@ void TestWindowBall::unknownsFanOutWhileItStands() {
     m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}});
     m_fixture->press(Qt::Key_U);
     QTRY_VERIFY(otherWays() > 0);
-    m_fixture->session().setUnknowns({}); // nothing is unknown
-    QTRY_VERIFY(otherWays() == 0 && m_fixture->session().wayAhead().points.size() > 10);
-    m_fixture->session().setUnknowns({{"tilt", 0.5, false}});
+    m_fixture->session().lookAhead().setUnknowns({}); // nothing is unknown
+    QTRY_VERIFY(otherWays() == 0 && m_fixture->session().lookAhead().way().points.size() > 10);
+    m_fixture->session().lookAhead().setUnknowns({{"tilt", 0.5, false}});
     QTRY_VERIFY(otherWays() > 0);
     m_fixture->press(Qt::Key_U);
     QTRY_COMPARE(otherWays(), size_t(0));
