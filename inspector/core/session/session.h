@@ -5,11 +5,11 @@
 
 #include "core/pilot/tilt_control.h"
 #include "core/program/options.h"
-#include "core/program/run_settings.h"
 #include "core/session/comparison.h"
 #include "core/session/game.h"
 #include "core/session/live_uncertainty.h"
 #include "core/session/look_ahead.h"
+#include "core/session/run_history.h"
 #include "core/setup/handles.h"
 #include "core/setup/levels.h"
 #include "core/setup/parameters.h"
@@ -20,7 +20,6 @@
 #include <QSettings>
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace inspector {
@@ -32,17 +31,6 @@ struct Stepping {
     std::vector<Setting>
         settings; ///< the model (unchanged if left out) and the stepper's own rows (initial if left out)
     bool operator==(const Stepping &) const = default;
-};
-
-/// A run in the history, from a start, a restart or the moment at which it was taken over.
-struct KeptRun {
-    uint64_t begin = 0; ///< place, as in Past
-    uint64_t end = 0;
-    Level level;
-    uint64_t maze = 0;                               ///< hash of its file's bytes
-    std::vector<std::pair<QByteArray, double>> pace; ///< id of the stepper and dt, s, in their order
-    double time = 0.0;                               ///< s, until the ball left the maze; else at its end
-    BoardSide side = BoardSide::Within;              ///< where it left
 };
 
 enum class Direction { Back, On };
@@ -67,6 +55,7 @@ public:
     Simulation &simulation() { return *m_simulation; }
     Game &game() { return m_game; }
     Comparison &comparison() { return *m_comparison; }
+    const RunHistory &history() const { return m_history; }
     LookAhead &lookAhead() { return m_lookAhead; }
     LiveUncertainty &liveUncertainty() { return m_liveUncertainty; }
     QSettings &settings() { return m_settings; }
@@ -135,7 +124,7 @@ public:
 
     // ---- placing the ball ----
 
-    /// Puts the ball there, paused; begins a new run, and the one before stays in runs(). In the past, the past is
+    /// Puts the ball there, paused; begins a new run, and the one before stays in the history. In the past, the past is
     /// taken over first.
     void placeBall(const phys_state &state);
     /// Takes a placing back: `before` is the moment at which it was done. The run that it ended goes on, paused, unless
@@ -177,10 +166,6 @@ public:
     void awaitMoment();
     /// The game continues from the moment shown, paused. Any change of the physics has the same effect.
     void takeOver();
-    /// The runs in the history, oldest first; the last is the live one if that has a step.
-    const std::vector<KeptRun> &runs() const { return m_runs; }
-    /// What followed the moment that was last taken over, with fewer samples.
-    const std::vector<Sample> &oldFuture() const { return m_oldFuture; }
     /// What made the steps of the run shown, and those before it that its samples begin with if it continues another.
     std::vector<SettingsSpan> settingsSpans();
     /// The maze of the run shown if its file has changed since: a recording of that run can't be replayed with it.
@@ -209,8 +194,8 @@ signals:
     void replayChanged(bool isOn);
     void pastChanged(bool isIn);
     void olderMazeOpened(const QString &path); ///< by taking over a run; the next start reads the file
-    void takenOver();                          ///< the past was; the run that was shown stays in runs()
-    void runLeft();                            ///< the ball was placed by hand; the run before stays in runs()
+    void takenOver();                          ///< the past was; the run that was shown stays in the history
+    void runLeft();                            ///< the ball was placed by hand; the run before stays in the history
     void ballPutBack();                        ///< to where it was before it was placed
     void replayDiffers(const QString &line); ///< emitted when it is found, and when it is reached and the replay pauses
 
@@ -266,7 +251,6 @@ private:
     bool lookBack();
     bool isAtPresent(const RunPlace &run) const;
     void watchRuns(const Snapshot &now);
-    void keepOldFuture(uint64_t place);
     std::vector<SettingsSpan> settingsSpans(uint64_t begin, uint64_t end);
     void noteDifference(uint64_t replay, const Difference &difference);
     Stepping steppingWithAll() const;
@@ -295,15 +279,7 @@ private:
     std::optional<LookingBack> m_past;
     bool m_isFollowing = false; ///< parameters are being set to those of the moment shown
     std::optional<phys_state> m_ownStart;
-    std::vector<KeptRun> m_runs;
-    /// What made the steps before a run that continues another one.
-    struct Continued {
-        uint64_t begin = 0; ///< of the run
-        std::vector<SettingsSpan> before;
-    };
-    Continued m_continued; ///< the last such run: samples of others don't have these steps
-    std::vector<Sample> m_oldFuture;
-    uint64_t m_oldFutureRun = 0;      ///< run number in snapshots: discarded with the next run
+    RunHistory m_history;
     bool m_isOlderMaze = false;       ///< the file of m_maze has changed since
     std::vector<Setting> m_takenTilt; ///< of a moment taken over by a level board; ends with the run
     bool m_isTakenOver = false;       ///< from a replay, the past or by hand: such a run sets no best time

@@ -11,18 +11,11 @@
 
 namespace inspector {
 
-namespace {
-
-constexpr size_t kOldFutureIntervals = 4000; ///< that its points divide the time into
-
-}
-
 RunPlace Session::runPlace() {
     const Snapshot &now = m_simulation->latest();
     const HistoryPlace &kept = now.history;
-    const bool isOldestCut = !m_runs.empty() && m_runs.front().begin < kept.begin;
     const auto placeIn = [&](uint64_t begin, uint64_t end, uint64_t place) {
-        return RunPlace{begin, end, place, begin <= kept.begin && isOldestCut};
+        return RunPlace{begin, end, place, begin <= kept.begin && m_history.isOldestCut(kept)};
     };
     if (!m_past) return placeIn(std::max(kept.run, kept.begin), kept.end, kept.end);
     const bool isThere = now.replay.number == m_past->number && now.replay.seeks >= m_past->seeks;
@@ -118,8 +111,8 @@ void Session::takeOver() {
     const uint64_t place = runPlace().place;
     const uint64_t position = place - m_past->past.begin;
     const bool isOtherLevel = m_scene != m_past->scene;
-    keepOldFuture(place);
-    m_continued = {m_past->past.end() + 1, settingsSpans(runPlace().begin, place)};
+    m_history.keepFuture(place, m_simulation->latest(), m_simulation->samples());
+    m_history.continueFrom(m_past->past.end() + 1, settingsSpans(runPlace().begin, place));
     const std::shared_ptr<const PlayableRecording> recording = m_past->past.recording;
     const std::optional<size_t> segment = m_past->segment; // none if nothing of the past was shown yet
     if (segment) keepTakenTilt(*recording, *segment, m_past->stepping);
@@ -139,15 +132,6 @@ void Session::takeOver() {
     emit takenOver();
 }
 
-void Session::keepOldFuture(uint64_t place) {
-    m_oldFuture.clear();
-    const SampleRing &samples = m_simulation->samples();
-    const Snapshot &now = m_simulation->latest();
-    m_oldFutureRun = now.run;
-    if (now.history.place != place) return; // not shown yet: the samples may belong to another run
-    m_oldFuture = samples.spread(samples.find(now.current.time), samples.last(), kOldFutureIntervals);
-}
-
 std::vector<SettingsSpan> Session::settingsSpans() {
     if (!m_replay) return settingsSpans(runPlace().begin, runPlace().end);
     const uint64_t position = m_simulation->latest().replay.position;
@@ -159,29 +143,17 @@ std::vector<SettingsSpan> Session::settingsSpans(uint64_t begin, uint64_t end) {
     const std::optional<Past> past = m_simulation->past(nullptr, begin, end);
     std::vector<SettingsSpan> spans;
     if (past) spans = spansOf(*past->recording, 0, past->recording->length());
-    return begin == m_continued.begin ? joined(m_continued.before, spans) : spans;
+    return m_history.withBefore(begin, std::move(spans));
 }
 
-/// Drops runs that are no longer in the history.
 void Session::watchRuns(const Snapshot &now) {
-    if (now.run != m_oldFutureRun) m_oldFuture.clear();
+    m_history.follow(now);
     const HistoryPlace &kept = now.history;
-    std::erase_if(m_runs, [&](const KeptRun &run) { return run.end <= kept.begin; });
     if (m_replay || m_past || now.replay.number != 0 || kept.end == kept.run) return;
-    const bool isNew = m_runs.empty() || m_runs.back().begin != kept.run;
-    if (isNew) m_runs.push_back({});
-    KeptRun &run = m_runs.back();
-    if (isNew) {
-        run.begin = kept.run;
-        run.level = m_level;
-        run.maze = m_maze.hash;
-    }
-    const std::pair<QByteArray, double> pace{m_stepperId, now.dt};
-    if (run.end != kept.end && (run.pace.empty() || run.pace.back() != pace)) run.pace.push_back(pace);
-    run.end = kept.end;
-    run.time = stopwatch(now);
     const std::optional<Departure> left = departure(now);
-    run.side = left ? left->side : BoardSide::Within;
+    const double time = left ? left->time : now.current.time;
+    const BoardSide side = left ? left->side : BoardSide::Within;
+    m_history.update({kept.run, kept.end, m_level, m_maze.hash, {{m_stepperId, now.dt}}, time, side});
 }
 
 std::optional<MazeSource> Session::changedMaze() {

@@ -54,8 +54,8 @@ void Session::goOnFromHere() {
     if (!replayPlace(now)) return; // nothing shown yet
     const uint64_t position = now.replay.position;
     const bool hasSteps = now.history.end > now.history.run;
-    m_continued = {now.history.end + (hasSteps ? 1 : 0),
-                   spansOf(recording(), recording().runAt(position).begin, position)};
+    m_history.continueFrom(now.history.end + (hasSteps ? 1 : 0),
+                           spansOf(recording(), recording().runAt(position).begin, position));
     keepTakenTilt(recording(), now.replay.segment, m_replay->before);
     noticeOlderMaze(recording(), now.replay.segment);
     m_replay.reset();

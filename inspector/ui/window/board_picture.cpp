@@ -141,7 +141,7 @@ gl::Frame currentFrame(Session &session) {
     frame.ball = ballOf(state, phys_scene_radius(session.scene().get()));
     frame.trails.push_back({pointsOf(samples, way), withAlpha(accentsFor(QGuiApplication::palette()).ball, kTrailAlpha),
                             now.ghost ? kBallTrailWidth : kTrailWidth});
-    addOldFuture(frame, session.oldFuture());
+    addOldFuture(frame, session.history().oldFuture());
     if (session.track()) addTrack(frame, *session.track(), session.scene().get(), state.time);
     if (const auto ghost = interpolatedGhost(now, moment)) addGhost(frame, samples, *ghost, now.ghost->met.time);
     return frame;

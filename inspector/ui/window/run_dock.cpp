@@ -43,7 +43,7 @@ QString mazeTitle(const Session &session, const KeptRun &run) {
     const auto add = [&versions](uint64_t maze) {
         if (std::ranges::count(versions, maze) == 0) versions.push_back(maze);
     };
-    for (const KeptRun &other : session.runs())
+    for (const KeptRun &other : session.history().runs())
         if (other.level.path == run.level.path) add(other.maze);
     if (session.maze().path == run.level.path) add(session.maze().hash);
     QString title = levelTitle(session, run.level);
@@ -88,7 +88,7 @@ RunDock::RunDock(Session &session, QWidget *parent)
 
 void RunDock::refresh() {
     if (!isVisible()) return;
-    const std::vector<KeptRun> &runs = m_session.runs();
+    const std::vector<KeptRun> &runs = m_session.history().runs();
     const uint64_t live = m_session.simulation().latest().history.run; // where it begins
     const RunPlace shown = m_session.runPlace();
     // A run keeps its item, and so the selection: the oldest go at the end, new ones come first.

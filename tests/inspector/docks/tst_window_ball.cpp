@@ -185,7 +185,7 @@ void TestWindowBall::undoGoesOnWithTheRun() {
     QCOMPARE(m_fixture->simulation().samples().last() - m_fixture->simulation().samples().first(), uint64_t(20));
     m_fixture->makeSteps(1);
     QCOMPARE(m_fixture->session().runPlace().begin, run.begin);
-    QCOMPARE(m_fixture->session().runs().size(), size_t(1));
+    QCOMPARE(m_fixture->session().history().runs().size(), size_t(1));
     m_fixture->press(Qt::Key_Comma); // its past is there
     QTRY_COMPARE(hashOf(ball()), hashOf(before));
 }

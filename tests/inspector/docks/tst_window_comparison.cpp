@@ -181,7 +181,7 @@ void TestWindowComparison::lookAtAnotherLevelsRunKeepsTheGhost() {
     compareWith({"exact", 1});
     makeSteps(10);
     const uint64_t ghost = now().ghost->number;
-    m_fixture->session().lookAt(m_fixture->session().runs().front().end);
+    m_fixture->session().lookAt(m_fixture->session().history().runs().front().end);
     QTRY_COMPARE(m_fixture->session().level().name, QString("03"));
     m_fixture->window().refresh();
     m_fixture->key(Qt::Key_Escape);

@@ -283,7 +283,7 @@ void TestWindowRuns::typedPlaceLeavesTheRunInRunsAndSaysSo() {
     if (!m_fixture->find<QTreeWidget>("runs")->isVisible())
         m_fixture->trigger("show_runs_dock"); // the Ball dock hid it
     QCOMPARE(resultOf(0), QString("ended inside"));
-    QCOMPARE(m_fixture->session().runs().size(), size_t(1));
+    QCOMPARE(m_fixture->session().history().runs().size(), size_t(1));
 }
 
 // What --csv names.

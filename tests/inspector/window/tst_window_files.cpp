@@ -245,7 +245,7 @@ void TestWindowFiles::runOfAnOlderMazeSaysSoAndEndsWithIt() {
     write(path, kFloor + kWall);
     QTRY_COMPARE(boxes(), 2U);
     inspector::Session &session = m_fixture->session();
-    session.lookAt(session.runs().back().end);
+    session.lookAt(session.history().runs().back().end);
     const auto isBack = [&] {
         m_fixture->window().refresh();
         return boxes() == 1;
@@ -298,7 +298,7 @@ void TestWindowFiles::savedRunOfAnOlderMazeSaysSo() {
     QCOMPARE(remark(), QString());
     write(path, kFloor + kWall);
     QTRY_COMPARE(boxes(), 2U);
-    m_fixture->session().lookAt(m_fixture->session().runs().back().end);
+    m_fixture->session().lookAt(m_fixture->session().history().runs().back().end);
     m_fixture->session().awaitMoment();
     QCOMPARE(remark(), m_fixture->path("run.rec") + ": '" + path +
                            "' has changed since this run and is needed as it was to replay it");

@@ -197,8 +197,8 @@ void TestWindowPast::typedParameterTakesOver() {
     QTRY_COMPARE(m_fixture->simulated("gravity"), 3.0);
     QTRY_VERIFY(isAt(place));
     const inspector::SampleRing &samples = m_fixture->simulation().samples();
-    QTRY_COMPARE(samples.last() - samples.first(), place); // the rest isn't this run's
-    QVERIFY(session().oldFuture().size() >= 40 - place);   // but is remembered
+    QTRY_COMPARE(samples.last() - samples.first(), place);         // the rest isn't this run's
+    QVERIFY(session().history().oldFuture().size() >= 40 - place); // but is remembered
     const phys_state before = m_states[place];
     makeSteps(1);
     QCOMPARE(now().current.step, place + 1);
@@ -369,7 +369,7 @@ void TestWindowPast::clickOnAnotherLevelKeepsTheRun() {
     QTest::mouseClick(levels->viewport(), Qt::LeftButton, {}, third.center());
     QTRY_VERIFY(isAt(0));
     QCOMPARE(session().level().name, QString("03"));
-    session().lookAt(session().runs().front().end);
+    session().lookAt(session().history().runs().front().end);
     QTRY_VERIFY(isAt(30));
     QVERIFY(sameBits(now().current, m_states[29]));
     QCOMPARE(session().level().name, QString("01"));

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run_history.h"
+
+namespace inspector {
+
+namespace {
+
+constexpr size_t kOldFutureIntervals = 4000; ///< that its points divide the time into
+
+} // namespace
+
+bool RunHistory::isOldestCut(const HistoryPlace &kept) const {
+    return !m_runs.empty() && m_runs.front().begin < kept.begin;
+}
+
+void RunHistory::follow(const Snapshot &now) {
+    if (now.run != m_oldFutureRun) m_oldFuture.clear();
+    std::erase_if(m_runs, [&](const KeptRun &run) { return run.end <= now.history.begin; });
+}
+
+void RunHistory::update(const KeptRun &live) {
+    if (m_runs.empty() || m_runs.back().begin != live.begin) return m_runs.push_back(live);
+    KeptRun &run = m_runs.back();
+    if (run.end != live.end && run.pace.back() != live.pace.back()) run.pace.push_back(live.pace.back());
+    run.end = live.end;
+    run.time = live.time;
+    run.side = live.side;
+}
+
+void RunHistory::keepFuture(uint64_t place, const Snapshot &now, const SampleRing &samples) {
+    m_oldFuture.clear();
+    m_oldFutureRun = now.run;
+    if (now.history.place != place) return; // not shown yet: the samples may belong to another run
+    m_oldFuture = samples.spread(samples.find(now.current.time), samples.last(), kOldFutureIntervals);
+}
+
+void RunHistory::continueFrom(uint64_t begin, std::vector<SettingsSpan> before) {
+    m_continuation = begin;
+    m_before = std::move(before);
+}
+
+std::vector<SettingsSpan> RunHistory::withBefore(uint64_t begin, std::vector<SettingsSpan> spans) const {
+    return begin == m_continuation ? joined(m_before, spans) : spans;
+}
+
+} // namespace inspector
