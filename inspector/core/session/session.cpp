@@ -60,8 +60,7 @@ std::unique_ptr<Session> Session::open(const Options &options, QSettings &settin
 
 Session::Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper)
     : m_settings(settings)
-    , m_registry(options.registry)
-    , m_pluginLoader(options.pluginLoader)
+    , m_registry(options.registry, options.pluginLoader)
     , m_levels(options.levels)
     , m_level(options.level)
     , m_scene(scene)
@@ -195,7 +194,7 @@ bool Session::openLevel(const Level &level) {
     const Scene scene = loadScene(level.path, &error);
     if (!scene) return report(error);
     const QByteArray id = m_replay ? m_replay->before.stepper : m_stepperId;
-    const Stepper stepper = makeStepper(m_registry, id, scene, &error);
+    const Stepper stepper = makeStepper(registry(), id, scene, &error);
     if (!stepper) return report(error);
     if (m_replay) leaveReplay();
     returnToPresent();
@@ -222,11 +221,11 @@ bool Session::openLevel(const Level &level) {
 bool Session::useStepper(const QByteArray &id, QString *error) {
     phys_stepper_info info;
     phys_error failure;
-    if (phys_registry_find(m_registry.get(), id.constData(), &info, &failure) != PHYS_OK) {
+    if (phys_registry_find(registry().get(), id.constData(), &info, &failure) != PHYS_OK) {
         tell(error, failure);
         return false;
     }
-    const Stepper stepper = makeStepper(m_registry, id, m_scene, error);
+    const Stepper stepper = makeStepper(registry(), id, m_scene, error);
     if (!stepper) return false;
     m_stepperId = id;
     m_parameters.setStepper(info);
@@ -235,21 +234,9 @@ bool Session::useStepper(const QByteArray &id, QString *error) {
     return true;
 }
 
-/// Other threads are reading the registry, which must not change then: they continue with the old one.
 bool Session::loadPlugin(const QString &file) {
     QString error;
-    const Registry registry = makeRegistry(&error);
-    if (!registry) return report(error);
-    QStringList files;
-    phys_stepper_info info;
-    for (uint32_t i = 0; phys_registry_info(m_registry.get(), i, &info) == PHYS_OK; ++i) {
-        const QString before = decodePath(info.file);
-        if (!before.isEmpty() && !files.contains(before)) files += before;
-    }
-    for (const QString &before : files)
-        if (!inspector::loadPlugin(registry, before, &error)) return report(error);
-    if (!m_pluginLoader(registry, file, &error)) return report(error);
-    m_registriesBefore.push_back(std::exchange(m_registry, registry));
+    if (!m_registry.load(file, &error)) return report(error);
     emit steppersAdded();
     return true;
 }
@@ -349,7 +336,7 @@ void Session::keepTakenTilt(const PlayableRecording &recording, size_t segment, 
     const auto isLevel = [](const Setting &setting) { return !setting.id.startsWith(kTilt) || setting.value == 0.0; };
     m_takenTilt.clear();
     if (!m_keysTilt && !std::ranges::all_of(before.settings, isLevel)) return;
-    m_takenTilt = settingsOf(recording.segment(segment).conditions, m_registry);
+    m_takenTilt = settingsOf(recording.segment(segment).conditions, registry());
     std::erase_if(m_takenTilt, [](const Setting &setting) { return !setting.id.startsWith(kTilt); });
 }
 
@@ -508,7 +495,7 @@ void Session::showRecording(bool isOn) {
 }
 
 Origin Session::origin() const {
-    Origin origin = originOf(m_registry, m_stepperId, m_level.path);
+    Origin origin = originOf(registry(), m_stepperId, m_level.path);
     origin.maze = m_maze; // the file may have changed since
     return origin;
 }

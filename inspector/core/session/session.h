@@ -7,6 +7,7 @@
 #include "core/program/options.h"
 #include "core/session/comparison.h"
 #include "core/session/game.h"
+#include "core/session/growing_registry.h"
 #include "core/session/live_uncertainty.h"
 #include "core/session/look_ahead.h"
 #include "core/session/run_history.h"
@@ -65,7 +66,7 @@ public:
     const Scene &scene() const { return m_scene; } ///< of the open level
     /// The live ball's, as it was read; its file may have changed since.
     const MazeSource &maze() const { return m_maze; }
-    const Registry &registry() const { return m_registry; }
+    const Registry &registry() const { return m_registry.now(); }
     /// Places on the floor where the ball can leave the maze; nothing if they can't be found. Computed once per level.
     const std::optional<std::vector<phys_box>> &exits();
     QByteArray stepperId() const { return m_stepperId; }
@@ -260,9 +261,7 @@ private:
     void passTrack();
 
     QSettings &m_settings;
-    Registry m_registry;
-    PluginLoader m_pluginLoader;
-    std::vector<Registry> m_registriesBefore; ///< their rows and names are still in use
+    GrowingRegistry m_registry;
     std::vector<Level> m_levels;
     Level m_level;
     Scene m_scene;

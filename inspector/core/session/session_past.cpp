@@ -177,7 +177,7 @@ bool Session::saveRun(const QString &path, QString *error) {
     }
     const std::optional<Past> kept = m_simulation->past(error, run.begin, run.end);
     if (!kept) return false;
-    return replaceFile(path, recordingText(kept->recording->recording(), m_registry), error);
+    return replaceFile(path, recordingText(kept->recording->recording(), registry()), error);
 }
 
 } // namespace inspector

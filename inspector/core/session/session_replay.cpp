@@ -13,7 +13,7 @@ bool Session::openRecording(const QString &path) {
 }
 
 bool Session::startReplay(const QString &path, QString *error) {
-    const auto recording = inspector::openRecording(path, m_registry, m_levels, error);
+    const auto recording = inspector::openRecording(path, registry(), m_levels, error);
     if (!recording) return false;
     if (recording->length() == 0) {
         if (error) *error = tr("%1: expected steps, found none").arg(path);
@@ -82,7 +82,7 @@ void Session::follow(const PlayableRecording &recording, std::optional<size_t> &
     if (followed == index) return;
     followed = index;
     const Conditions &conditions = recording.segment(index).conditions;
-    show({conditions.stepper.id, conditions.dt, settingsOf(conditions, m_registry)});
+    show({conditions.stepper.id, conditions.dt, settingsOf(conditions, registry())});
     if (m_scene == recording.scene(index)) return;
     m_scene = recording.scene(index);
     m_level = recording.level(index);
@@ -95,7 +95,7 @@ Stepping Session::steppingWithAll() const { return {m_stepperId, m_dt, settingsO
 void Session::show(const Stepping &stepping) {
     phys_stepper_info info;
     const bool isOther = stepping.stepper != m_stepperId;
-    if (isOther && phys_registry_find(m_registry.get(), stepping.stepper.constData(), &info, nullptr) == PHYS_OK) {
+    if (isOther && phys_registry_find(registry().get(), stepping.stepper.constData(), &info, nullptr) == PHYS_OK) {
         m_stepperId = stepping.stepper;
         m_parameters.setStepper(info);
         emit stepperChanged();
