@@ -15,7 +15,6 @@ namespace inspector {
 namespace {
 
 const QString kModel = QStringLiteral("model"); ///< the row's id
-const QString kTilt = QStringLiteral("tilt_");  ///< begin of the ids of the board's two
 
 /// As its file is now.
 MazeSource sourceOf(const Level &level) {
@@ -68,6 +67,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_stepperId(options.stepper)
     , m_dt(options.dt)
     , m_speed(options.speed)
+    , m_tilt(m_parameters)
     , m_game(mazesOf(options.levels), settings)
     , m_simulation(std::make_unique<Simulation>(scene, stepper, origin()))
     , m_comparison(std::make_unique<Comparison>(*this))
@@ -206,7 +206,7 @@ bool Session::openLevel(const Level &level) {
     m_isOlderMaze = false;
     m_simulation->setScene(scene, stepper, origin());
     m_followsTrack = false; // setScene() ended it
-    levelBoard();
+    m_tilt.level();
     const bool isFlown = !m_hasAutopilot || fly(&error);
     if (!isFlown) {
         m_hasAutopilot = false;
@@ -312,17 +312,10 @@ bool Session::setAutopilot(bool isOn) {
     if (!isOn) {
         m_hasAutopilot = false;
         m_simulation->setPilot(nullptr);
-        levelBoard();
+        m_tilt.level();
     }
     emit autopilotChanged(isOn);
     return true;
-}
-
-/// Also releases keys that are still held: a new level starts level.
-void Session::levelBoard() {
-    m_tiltControl = {};
-    m_keysTilt = false;
-    setTilt({});
 }
 
 void Session::noticeOlderMaze(const PlayableRecording &recording, size_t segment) {
@@ -331,44 +324,23 @@ void Session::noticeOlderMaze(const PlayableRecording &recording, size_t segment
     if (m_isOlderMaze) emit olderMazeOpened(m_level.path);
 }
 
-/// before: the settings of the ball that takes over. A tilt that they have was set by hand and stays.
-void Session::keepTakenTilt(const PlayableRecording &recording, size_t segment, const Stepping &before) {
-    const auto isLevel = [](const Setting &setting) { return !setting.id.startsWith(kTilt) || setting.value == 0.0; };
-    m_takenTilt.clear();
-    if (!m_keysTilt && !std::ranges::all_of(before.settings, isLevel)) return;
-    m_takenTilt = settingsOf(recording.segment(segment).conditions, registry());
-    std::erase_if(m_takenTilt, [](const Setting &setting) { return !setting.id.startsWith(kTilt); });
-}
-
 /// Levels the board unless its tilt was changed since.
 void Session::endTakenTilt() {
-    const bool isKept = !m_takenTilt.empty() && differingFrom(m_parameters, m_takenTilt).empty();
-    m_takenTilt.clear();
-    if (isKept && !m_replay) setTilt({});
-}
-
-void Session::setTilt(Tilt tilt) {
-    m_parameters.set({{QStringLiteral("tilt_x"), degrees(tilt.x)}, {QStringLiteral("tilt_y"), degrees(tilt.y)}});
+    if (m_tilt.endTaken() && !m_replay) m_tilt.set({});
 }
 
 void Session::advanceKeys(double seconds) {
     if (m_replay || (m_hasAutopilot && !m_past)) return;
-    if (m_past && m_tiltControl.keys().any()) {
-        const TiltKeys keys = m_tiltControl.keys();
+    const TiltKeys keys = m_tilt.keys();
+    if (m_past && keys.any()) {
         takeOver();
         setAutopilot(false);
-        m_tiltControl.setKeys(keys);
+        m_tilt.setKeys(keys);
         m_simulation->run();
     }
     if (m_past) return;
-    if (m_tiltControl.keys().any()) followTrack(false);
-    if (!m_keysTilt) {
-        if (!m_tiltControl.keys().any()) return;
-        m_keysTilt = true;
-        m_tiltControl.setTilt(m_parameters.inputs().tilt); // start from the sliders' tilt
-    }
-    setTilt(m_tiltControl.advance(seconds));
-    m_keysTilt = !m_tiltControl.isAtRest();
+    if (keys.any()) followTrack(false);
+    m_tilt.advance(seconds);
 }
 
 void Session::placeBall(const phys_state &state) {
@@ -458,7 +430,7 @@ bool Session::followTrack(bool isOn) {
         m_simulation->restart();
         m_simulation->run();
     } else {
-        levelBoard();
+        m_tilt.level();
     }
     emit trackChanged();
     return true;

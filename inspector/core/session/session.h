@@ -3,11 +3,11 @@
 // state.
 #pragma once
 
-#include "core/pilot/tilt_control.h"
 #include "core/program/options.h"
 #include "core/session/comparison.h"
 #include "core/session/game.h"
 #include "core/session/growing_registry.h"
+#include "core/session/hand_tilt.h"
 #include "core/session/live_uncertainty.h"
 #include "core/session/look_ahead.h"
 #include "core/session/run_history.h"
@@ -176,9 +176,9 @@ public:
 
     /// The game's arrow keys: which are held, and the time since the last call (about 60 times a second). While a key
     /// is held, and until the board is level again, the tilt parameters follow the keys.
-    void setKeys(TiltKeys keys) { m_tiltControl.setKeys(keys); }
+    void setKeys(TiltKeys keys) { m_tilt.setKeys(keys); }
     void advanceKeys(double seconds);
-    bool isTiltedByKeys() const { return m_keysTilt; }
+    bool isTiltedByKeys() const { return m_tilt.isByKeys(); }
     /// Whether the autopilot or the measured ball's table sets the tilt, so that the parameters' tilt has no effect.
     bool isTiltedByPilot() const { return m_hasAutopilot || m_followsTrack; }
 
@@ -216,11 +216,8 @@ private:
     bool useStepping(const Stepping &stepping, QString *error);
     void watchPhysics();
     bool fly(QString *error);
-    void levelBoard();
     void noticeOlderMaze(const PlayableRecording &recording, size_t segment);
-    void keepTakenTilt(const PlayableRecording &recording, size_t segment, const Stepping &before);
     void endTakenTilt();
-    void setTilt(Tilt tilt);
     void sendInputs();
     QStringList openFiles() const;
     void showRecording(bool isOn);
@@ -273,19 +270,17 @@ private:
     double m_speed = 1.0;
     bool m_hasAutopilot = false;
     bool m_isRecording = false;
-    TiltControl m_tiltControl;
     std::optional<Replaying> m_replay;
     std::optional<LookingBack> m_past;
     bool m_isFollowing = false; ///< parameters are being set to those of the moment shown
     std::optional<phys_state> m_ownStart;
     RunHistory m_history;
-    bool m_isOlderMaze = false;       ///< the file of m_maze has changed since
-    std::vector<Setting> m_takenTilt; ///< of a moment taken over by a level board; ends with the run
-    bool m_isTakenOver = false;       ///< from a replay, the past or by hand: such a run sets no best time
-    bool m_isPlaced = false;          ///< by hand, since the last run was taken over
-    bool m_hasUsualPhysics = true;    ///< unchanged since the level was started
-    bool m_keysTilt = false;          ///< the keys control the board's tilt
+    bool m_isOlderMaze = false;    ///< the file of m_maze has changed since
+    bool m_isTakenOver = false;    ///< from a replay, the past or by hand: such a run sets no best time
+    bool m_isPlaced = false;       ///< by hand, since the last run was taken over
+    bool m_hasUsualPhysics = true; ///< unchanged since the level was started
     Parameters m_parameters;
+    HandTilt m_tilt;
     Game m_game;
     std::unique_ptr<Simulation> m_simulation;
     std::unique_ptr<Comparison> m_comparison;

@@ -115,13 +115,13 @@ void Session::takeOver() {
     m_history.continueFrom(m_past->past.end() + 1, settingsSpans(runPlace().begin, place));
     const std::shared_ptr<const PlayableRecording> recording = m_past->past.recording;
     const std::optional<size_t> segment = m_past->segment; // none if nothing of the past was shown yet
-    if (segment) keepTakenTilt(*recording, *segment, m_past->stepping);
+    if (segment)
+        m_tilt.takeOver(settingsOf(recording->segment(*segment).conditions, registry()), m_past->stepping.settings);
     if (segment) noticeOlderMaze(*recording, *segment);
     m_past.reset();
     m_isTakenOver = true;
     m_isPlaced = false;
-    m_tiltControl = {};
-    m_keysTilt = false;
+    m_tilt.releaseKeys();
     m_simulation->goOnFrom(position, origin());
     if (m_hasAutopilot) fly(nullptr);
     if (std::exchange(m_followsTrack, false)) emit trackChanged(); // goOnFrom() ended it

@@ -56,13 +56,13 @@ void Session::goOnFromHere() {
     const bool hasSteps = now.history.end > now.history.run;
     m_history.continueFrom(now.history.end + (hasSteps ? 1 : 0),
                            spansOf(recording(), recording().runAt(position).begin, position));
-    keepTakenTilt(recording(), now.replay.segment, m_replay->before);
+    m_tilt.takeOver(settingsOf(recording().segment(now.replay.segment).conditions, registry()),
+                    m_replay->before.settings);
     noticeOlderMaze(recording(), now.replay.segment);
     m_replay.reset();
     m_isTakenOver = true;
     m_isPlaced = false;
-    m_tiltControl = {};
-    m_keysTilt = false;
+    m_tilt.releaseKeys();
     m_simulation->goOnFrom(position, origin());
     m_game.goOn(levelIndex(), otherMaze());
     emit replayChanged(false);
