@@ -2,7 +2,6 @@
 #include "core/session/session.h"
 
 #include "core/pilot/autopilot.h"
-#include "core/pilot/exits.h"
 #include "core/recording/recording.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
@@ -15,20 +14,6 @@ namespace inspector {
 namespace {
 
 const QString kModel = QStringLiteral("model"); ///< the row's id
-
-/// As its file is now.
-MazeSource sourceOf(const Level &level) {
-    return {level.path, hashOf(readFile(level.path, kLargestMaze, nullptr).value_or(QByteArray()))};
-}
-
-/// Identifies a maze by its file's bytes: another file of the same number has another best time.
-QString mazeOf(const Level &level) { return QString::fromLatin1(hashText(sourceOf(level).hash)); }
-
-QStringList mazesOf(const std::vector<Level> &levels) {
-    QStringList mazes;
-    for (const Level &level : levels) mazes += mazeOf(level);
-    return mazes.isEmpty() ? QStringList{QStringLiteral("none")} : mazes;
-}
 
 } // namespace
 
@@ -60,15 +45,12 @@ std::unique_ptr<Session> Session::open(const Options &options, QSettings &settin
 Session::Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper)
     : m_settings(settings)
     , m_registry(options.registry, options.pluginLoader)
-    , m_levels(options.levels)
-    , m_level(options.level)
-    , m_scene(scene)
-    , m_maze(sourceOf(options.level))
+    , m_levels(options.levels, options.level, scene)
     , m_stepperId(options.stepper)
     , m_dt(options.dt)
     , m_speed(options.speed)
     , m_tilt(m_parameters)
-    , m_game(mazesOf(options.levels), settings)
+    , m_game(m_levels.mazes(), settings)
     , m_simulation(std::make_unique<Simulation>(scene, stepper, origin()))
     , m_comparison(std::make_unique<Comparison>(*this))
     , m_lookAhead(options.registry)
@@ -90,12 +72,12 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     connect(&m_game, &Game::started, this, &Session::startGame);
     connect(&m_game, &Game::againWanted, this, &Session::restart);
     connect(&m_game, &Game::levelWanted, this, [this](int level) {
-        if (size_t(level) < m_levels.size()) openLevel(m_levels[size_t(level)]);
+        if (size_t(level) < levels().listed().size()) openLevel(levels().listed()[size_t(level)]);
     });
 }
 
 void Session::startGame() {
-    if (m_isOlderMaze && openLevel(Level(m_level))) return m_game.confirm();
+    if (m_levels.isMazeOlder() && openLevel(Level(level()))) return m_game.confirm();
     const bool isBallPut = this->isBallPut();
     phys_state begin = m_simulation->latest().current;
     begin.time = 0.0;
@@ -111,7 +93,7 @@ void Session::startGame() {
 
 void Session::restart() {
     returnToPresent();
-    if (m_isOlderMaze && openLevel(Level(m_level))) return;
+    if (m_levels.isMazeOlder() && openLevel(Level(level()))) return;
     const bool isOver = m_game.phase() == Game::Phase::Won || m_game.phase() == Game::Phase::Lost;
     const bool goesOn = !isOver && m_simulation->latest().running;
     if (isOver) m_simulation->pause(); // the ball may still be falling
@@ -126,15 +108,7 @@ void Session::endGame(const Departure &departure) {
     m_game.leaveMaze(departure.time, !whyNoBestTime().isEmpty());
 }
 
-int Session::levelIndex() const {
-    const auto isOpen = [this](const Level &level) { return level.path == m_level.path; };
-    const auto found = std::find_if(m_levels.begin(), m_levels.end(), isOpen);
-    return found == m_levels.end() ? -1 : int(found - m_levels.begin());
-}
-
-QString Session::otherMaze() const { return levelIndex() < 0 ? mazeOf(m_level) : QString(); }
-
-void Session::showPrompt() { m_game.prompt(levelIndex(), otherMaze()); }
+void Session::showPrompt() { m_game.prompt(m_levels.index(), m_levels.otherMaze()); }
 
 /// A change of the physics on the way disqualifies a win, even if it is undone later.
 void Session::watchPhysics() {
@@ -149,25 +123,25 @@ QString Session::whyNoBestTime() {
     if (m_hasAutopilot) return tr("the autopilot's");
     if (m_isTakenOver || m_ownStart) return tr("not from the start");
     if (!m_hasUsualPhysics) return tr("speed or physics changed");
-    if (exits() && exits()->empty()) return tr("this maze has no way out");
+    if (m_levels.exits() && m_levels.exits()->empty()) return tr("this maze has no way out");
     return {};
 }
 
 QString Session::startFault() const {
     phys_state start;
-    if (m_ownStart || phys_scene_start(m_scene.get(), &start) != PHYS_OK) return {};
-    return inspector::startFault(m_scene.get(), start.position);
+    if (m_ownStart || phys_scene_start(scene().get(), &start) != PHYS_OK) return {};
+    return inspector::startFault(scene().get(), start.position);
 }
 
 std::optional<Departure> Session::departure(const Snapshot &now) const {
-    return inspector::departure(m_simulation->samples(), m_scene.get(), now.current.time);
+    return inspector::departure(m_simulation->samples(), scene().get(), now.current.time);
 }
 
 std::optional<Departure> Session::departure() const {
     const SampleRing &samples = m_simulation->samples();
     Sample last;
     const bool hasAny = samples.last() > samples.first() && samples.read(samples.last() - 1, last);
-    return hasAny ? inspector::departure(samples, m_scene.get(), last.time) : std::nullopt;
+    return hasAny ? inspector::departure(samples, scene().get(), last.time) : std::nullopt;
 }
 
 bool Session::hasEnded(const Snapshot &now) const {
@@ -200,10 +174,7 @@ bool Session::openLevel(const Level &level) {
     returnToPresent();
     m_ownStart.reset();
     m_isTakenOver = false;
-    m_scene = scene;
-    m_level = level;
-    m_maze = sourceOf(level);
-    m_isOlderMaze = false;
+    m_levels.open(level, scene);
     m_simulation->setScene(scene, stepper, origin());
     m_followsTrack = false; // setScene() ended it
     m_tilt.level();
@@ -225,7 +196,7 @@ bool Session::useStepper(const QByteArray &id, QString *error) {
         tell(error, failure);
         return false;
     }
-    const Stepper stepper = makeStepper(registry(), id, m_scene, error);
+    const Stepper stepper = makeStepper(registry(), id, scene(), error);
     if (!stepper) return false;
     m_stepperId = id;
     m_parameters.setStepper(info);
@@ -239,11 +210,6 @@ bool Session::loadPlugin(const QString &file) {
     if (!m_registry.load(file, &error)) return report(error);
     emit steppersAdded();
     return true;
-}
-
-const std::optional<std::vector<phys_box>> &Session::exits() {
-    if (std::exchange(m_exitsOf, m_scene) != m_scene) m_exits = exitsOf(m_scene.get());
-    return m_exits;
 }
 
 bool Session::useDt(double dt, QString *error) {
@@ -295,7 +261,7 @@ bool Session::setSpeed(double speed) {
 }
 
 bool Session::fly(QString *error) {
-    const std::shared_ptr<const Autopilot> pilot = Autopilot::create(m_scene.get(), error);
+    const std::shared_ptr<const Autopilot> pilot = Autopilot::create(scene().get(), error);
     if (!pilot) return false;
     m_hasAutopilot = true;
     m_simulation->setPilot(pilot);
@@ -319,9 +285,8 @@ bool Session::setAutopilot(bool isOn) {
 }
 
 void Session::noticeOlderMaze(const PlayableRecording &recording, size_t segment) {
-    m_maze = {m_level.path, recording.segment(segment).conditions.maze.hash};
-    m_isOlderMaze = m_maze != sourceOf(m_level);
-    if (m_isOlderMaze) emit olderMazeOpened(m_level.path);
+    m_levels.goOnIn(recording.segment(segment).conditions.maze.hash);
+    if (m_levels.isMazeOlder()) emit olderMazeOpened(level().path);
 }
 
 /// Levels the board unless its tilt was changed since.
@@ -374,7 +339,7 @@ bool Session::isBallPut() const {
     phys_state start;
     if (m_ownStart)
         start = *m_ownStart;
-    else if (phys_scene_start(m_scene.get(), &start) != PHYS_OK)
+    else if (phys_scene_start(scene().get(), &start) != PHYS_OK)
         return false;
     const auto isSame = [](const phys_vec3 &a, const phys_vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
     const phys_state &ball = now.current;
@@ -390,11 +355,11 @@ void Session::setStart(const std::optional<phys_state> &start) {
 void Session::showTrack(std::shared_ptr<const ShownTrack> track) {
     followTrack(false);
     m_track = std::move(track);
-    m_trackMaze = m_level.path;
+    m_trackMaze = level().path;
     layTrackOver();
 }
 
-std::shared_ptr<const ShownTrack> Session::track() const { return m_level.path == m_trackMaze ? m_track : nullptr; }
+std::shared_ptr<const ShownTrack> Session::track() const { return level().path == m_trackMaze ? m_track : nullptr; }
 
 void Session::layTrackOver() {
     passTrack();
@@ -410,7 +375,7 @@ void Session::passTrack() {
     const auto addAll = [&](const PlayableRecording &recording) {
         for (size_t i = 0; i < recording.recording().segments.size(); ++i) add(recording.level(i), recording.scene(i));
     };
-    add(m_level, m_scene);
+    add(level(), scene());
     if (m_past) add(m_past->level, m_past->scene);
     if (m_past) addAll(*m_past->past.recording);
     if (m_replay) addAll(*m_replay->recording);
@@ -423,7 +388,7 @@ bool Session::followTrack(bool isOn) {
     returnToPresent();
     if (isOn) setAutopilot(false);
     m_followsTrack = isOn;
-    setStart(isOn ? std::optional(m_track->start(m_scene.get())) : std::nullopt);
+    setStart(isOn ? std::optional(m_track->start(scene().get())) : std::nullopt);
     m_simulation->setPilot(isOn ? std::make_shared<TrackPilot>(m_track) : nullptr);
     if (isOn) {
         m_isTakenOver = true; // disables the best time
@@ -437,7 +402,7 @@ bool Session::followTrack(bool isOn) {
 }
 
 QStringList Session::openFiles() const {
-    QStringList files{m_level.path, m_level.mesh};
+    QStringList files{level().path, level().mesh};
     if (!m_replay) return files;
     files += {recording().recording().file, m_replay->levelBefore.path, m_replay->levelBefore.mesh};
     for (size_t i = 0; i < recording().recording().segments.size(); ++i)
@@ -467,8 +432,8 @@ void Session::showRecording(bool isOn) {
 }
 
 Origin Session::origin() const {
-    Origin origin = originOf(registry(), m_stepperId, m_level.path);
-    origin.maze = m_maze; // the file may have changed since
+    Origin origin = originOf(registry(), m_stepperId, level().path);
+    origin.maze = m_levels.maze(); // the file may have changed since
     return origin;
 }
 

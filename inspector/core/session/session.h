@@ -8,11 +8,11 @@
 #include "core/session/game.h"
 #include "core/session/growing_registry.h"
 #include "core/session/hand_tilt.h"
+#include "core/session/levels.h"
 #include "core/session/live_uncertainty.h"
 #include "core/session/look_ahead.h"
 #include "core/session/run_history.h"
 #include "core/setup/handles.h"
-#include "core/setup/levels.h"
 #include "core/setup/parameters.h"
 #include "core/simulation/departure.h"
 #include "core/simulation/simulation.h"
@@ -60,15 +60,10 @@ public:
     LookAhead &lookAhead() { return m_lookAhead; }
     LiveUncertainty &liveUncertainty() { return m_liveUncertainty; }
     QSettings &settings() { return m_settings; }
-    const std::vector<Level> &levels() const { return m_levels; }
-    const Level &level() const { return m_level; } ///< the open one; may be a file that isn't in the list
-    bool isLevelOfTheList() const { return levelIndex() >= 0; }
-    const Scene &scene() const { return m_scene; } ///< of the open level
-    /// The live ball's, as it was read; its file may have changed since.
-    const MazeSource &maze() const { return m_maze; }
+    const Levels &levels() const { return m_levels; }
+    const Level &level() const { return m_levels.open(); } ///< of the moment shown
+    const Scene &scene() const { return m_levels.scene(); }
     const Registry &registry() const { return m_registry.now(); }
-    /// Places on the floor where the ball can leave the maze; nothing if they can't be found. Computed once per level.
-    const std::optional<std::vector<phys_box>> &exits();
     QByteArray stepperId() const { return m_stepperId; }
     double dt() const { return m_dt; }
     Stepping stepping() const; ///< complete, with all settings
@@ -203,8 +198,6 @@ signals:
 private:
     Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper);
 
-    int levelIndex() const;    ///< in the list; -1 for a file that isn't
-    QString otherMaze() const; ///< such a file's maze, for the game; empty for a level of the list
     void showPrompt();
     void startGame();
     void endGame(const Departure &departure);
@@ -259,12 +252,7 @@ private:
 
     QSettings &m_settings;
     GrowingRegistry m_registry;
-    std::vector<Level> m_levels;
-    Level m_level;
-    Scene m_scene;
-    MazeSource m_maze; ///< of the live ball
-    Scene m_exitsOf;   ///< the scene of m_exits
-    std::optional<std::vector<phys_box>> m_exits;
+    Levels m_levels;
     QByteArray m_stepperId;
     double m_dt = Engine::kDefaultDt;
     double m_speed = 1.0;
@@ -275,7 +263,6 @@ private:
     bool m_isFollowing = false; ///< parameters are being set to those of the moment shown
     std::optional<phys_state> m_ownStart;
     RunHistory m_history;
-    bool m_isOlderMaze = false;    ///< the file of m_maze has changed since
     bool m_isTakenOver = false;    ///< from a replay, the past or by hand: such a run sets no best time
     bool m_isPlaced = false;       ///< by hand, since the last run was taken over
     bool m_hasUsualPhysics = true; ///< unchanged since the level was started

@@ -40,7 +40,7 @@ bool Session::lookBack() {
     if (past->recording->length() == 0) return false;
     const uint64_t number = m_simulation->lookBack(*past);
     const uint64_t end = past->end();
-    m_past.emplace(LookingBack{std::move(*past), number, m_level, m_scene, steppingWithAll(), {}, end, 0});
+    m_past.emplace(LookingBack{std::move(*past), number, level(), scene(), steppingWithAll(), {}, end, 0});
     passTrack();
     emit pastChanged(true);
     return true;
@@ -86,9 +86,8 @@ void Session::returnToPresent() {
     m_past.reset();
     m_simulation->returnToPresent();
     show(present.stepping);
-    if (m_scene != present.scene) {
-        m_scene = present.scene;
-        m_level = present.level;
+    if (scene() != present.scene) {
+        m_levels.show(present.level, present.scene);
         emit levelOpened();
     }
     emit pastChanged(false);
@@ -110,7 +109,7 @@ void Session::takeOver() {
     if (!m_past) return;
     const uint64_t place = runPlace().place;
     const uint64_t position = place - m_past->past.begin;
-    const bool isOtherLevel = m_scene != m_past->scene;
+    const bool isOtherLevel = scene() != m_past->scene;
     m_history.keepFuture(place, m_simulation->latest(), m_simulation->samples());
     m_history.continueFrom(m_past->past.end() + 1, settingsSpans(runPlace().begin, place));
     const std::shared_ptr<const PlayableRecording> recording = m_past->past.recording;
@@ -126,7 +125,7 @@ void Session::takeOver() {
     if (m_hasAutopilot) fly(nullptr);
     if (std::exchange(m_followsTrack, false)) emit trackChanged(); // goOnFrom() ended it
     m_simulation->setInputs(m_parameters.inputs());                // the visible values count
-    if (isOtherLevel || m_game.phase() != Game::Phase::Prompt) m_game.goOn(levelIndex(), otherMaze());
+    if (isOtherLevel || m_game.phase() != Game::Phase::Prompt) m_game.goOn(m_levels.index(), m_levels.otherMaze());
     m_comparison->meetAgain();
     emit pastChanged(false);
     emit takenOver();
@@ -153,7 +152,7 @@ void Session::watchRuns(const Snapshot &now) {
     const std::optional<Departure> left = departure(now);
     const double time = left ? left->time : now.current.time;
     const BoardSide side = left ? left->side : BoardSide::Within;
-    m_history.update({kept.run, kept.end, m_level, m_maze.hash, {{m_stepperId, now.dt}}, time, side});
+    m_history.update({kept.run, kept.end, level(), m_levels.maze().hash, {{m_stepperId, now.dt}}, time, side});
 }
 
 std::optional<MazeSource> Session::changedMaze() {

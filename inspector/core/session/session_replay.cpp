@@ -13,7 +13,7 @@ bool Session::openRecording(const QString &path) {
 }
 
 bool Session::startReplay(const QString &path, QString *error) {
-    const auto recording = inspector::openRecording(path, registry(), m_levels, error);
+    const auto recording = inspector::openRecording(path, registry(), m_levels.listed(), error);
     if (!recording) return false;
     if (recording->length() == 0) {
         if (error) *error = tr("%1: expected steps, found none").arg(path);
@@ -24,9 +24,9 @@ bool Session::startReplay(const QString &path, QString *error) {
         setAutopilot(false);
         followTrack(false);
     }
-    const Level level = m_replay ? m_replay->levelBefore : m_level;
+    const Level levelBefore = m_replay ? m_replay->levelBefore : level();
     const Stepping before = m_replay ? m_replay->before : steppingWithAll();
-    m_replay.emplace(Replaying{recording, m_simulation->startReplay(recording), level, before, {}, 0, 0, {}});
+    m_replay.emplace(Replaying{recording, m_simulation->startReplay(recording), levelBefore, before, {}, 0, 0, {}});
     passTrack();
     showPrompt(); // the game played before is over
     emit replayChanged(true);
@@ -64,13 +64,13 @@ void Session::goOnFromHere() {
     m_isPlaced = false;
     m_tilt.releaseKeys();
     m_simulation->goOnFrom(position, origin());
-    m_game.goOn(levelIndex(), otherMaze());
+    m_game.goOn(m_levels.index(), m_levels.otherMaze());
     emit replayChanged(false);
 }
 
 void Session::followReplay(const Snapshot &now) {
     watchRuns(now);
-    m_lookAhead.follow(now, m_scene);
+    m_lookAhead.follow(now, scene());
     if (m_replay && now.replay.number == m_replay->number)
         follow(*m_replay->recording, m_replay->segment, now.replay.segment);
     if (!m_past || now.replay.number != m_past->number) return;
@@ -83,9 +83,8 @@ void Session::follow(const PlayableRecording &recording, std::optional<size_t> &
     followed = index;
     const Conditions &conditions = recording.segment(index).conditions;
     show({conditions.stepper.id, conditions.dt, settingsOf(conditions, registry())});
-    if (m_scene == recording.scene(index)) return;
-    m_scene = recording.scene(index);
-    m_level = recording.level(index);
+    if (scene() == recording.scene(index)) return;
+    m_levels.show(recording.level(index), recording.scene(index));
     emit levelOpened();
 }
 

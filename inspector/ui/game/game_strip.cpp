@@ -51,8 +51,8 @@ QString promptHint(Session &session) {
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"));
     QString play = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip",
                                          "Arrow keys tilt the board · roll the ball out · Space: free run"));
-    if (session.isLevelOfTheList()) return play;
-    if (session.exits() && session.exits()->empty())
+    if (session.levels().isOpenListed()) return play;
+    if (session.levels().exits() && session.levels().exits()->empty())
         return say(
             QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Arrow keys tilt the board · this maze has no way out"));
     const std::optional<double> best = session.game().bestTime();
@@ -108,7 +108,7 @@ QFont scaled(QFont font, double factor, bool isBold) {
 } // namespace
 
 QString levelTitle(const Session &session, const Level &level) {
-    const std::vector<Level> &levels = session.levels();
+    const std::vector<Level> &levels = session.levels().listed();
     const std::optional<int> number = numberOf(level);
     const bool isListed = std::ranges::count(levels, level.path, &Level::path) > 0;
     if (!number || !isListed) return oneLine(level.name);
@@ -161,9 +161,10 @@ GameText stateText(Session &session, const Snapshot &now) {
         text.clock = clockText(game.time());
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 done")).arg(title);
         text.line = winLine(session, game);
-        text.hint = game.nextLevel() ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: %1 · R: again"))
-                                           .arg(levelTitle(session, session.levels()[size_t(*game.nextLevel())]))
-                                     : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter or R: again"));
+        text.hint = game.nextLevel()
+                        ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: %1 · R: again"))
+                              .arg(levelTitle(session, session.levels().listed()[size_t(*game.nextLevel())]))
+                        : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter or R: again"));
         break;
     case Game::Phase::Lost:
         text.isResult = true;

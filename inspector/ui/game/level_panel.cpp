@@ -22,7 +22,7 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
     header()->setSectionsMovable(false);
     setColumnWidth(0, 130);
     setUniformRowHeights(true);
-    for (const Level &level : session.levels()) new QTreeWidgetItem(this, {levelTitle(session, level)});
+    for (const Level &level : session.levels().listed()) new QTreeWidgetItem(this, {levelTitle(session, level)});
 
     connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem *item) {
         m_session.game().choose(indexOfTopLevelItem(item));
@@ -40,7 +40,7 @@ void LevelPanel::showState() {
     for (int i = 0; i < topLevelItemCount(); ++i) {
         const std::optional<double> best = m_session.game().bestTime(i);
         topLevelItem(i)->setText(1, best ? clockText(*best) : QStringLiteral("–"));
-        if (m_session.levels()[size_t(i)].path == m_session.level().path) setCurrentItem(topLevelItem(i));
+        if (m_session.levels().listed()[size_t(i)].path == m_session.level().path) setCurrentItem(topLevelItem(i));
     }
 }
 

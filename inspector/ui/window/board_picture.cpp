@@ -170,7 +170,7 @@ gl::Mesh mazeMesh(Session &session, QString *error) {
         const bool isWall = boxes[i].max.z > kerb;
         pieces.push_back({toGlm(boxes[i].min), toGlm(boxes[i].max), isWall ? gl::BoxKind::Wall : gl::BoxKind::Floor});
     }
-    for (const phys_box &exit : session.exits().value_or(std::vector<phys_box>()))
+    for (const phys_box &exit : session.levels().exits().value_or(std::vector<phys_box>()))
         pieces.push_back({toGlm(exit.min), toGlm(exit.max), gl::BoxKind::Exit});
     return gl::mazeFromBoxes(pieces);
 }

@@ -45,7 +45,7 @@ QString mazeTitle(const Session &session, const KeptRun &run) {
     };
     for (const KeptRun &other : session.history().runs())
         if (other.level.path == run.level.path) add(other.maze);
-    if (session.maze().path == run.level.path) add(session.maze().hash);
+    if (session.levels().maze().path == run.level.path) add(session.levels().maze().hash);
     QString title = levelTitle(session, run.level);
     if (versions.size() < 2) return title;
     return RunDock::tr("%1, version %2").arg(title).arg(std::ranges::find(versions, run.maze) - versions.begin() + 1);

@@ -334,7 +334,7 @@ void TestComparison::otherLevelIsComparedFromItsStart() {
     options.comparison = GhostChoice{};
     const auto session = open(options);
     makeSteps(*session, 20);
-    QVERIFY(session->openLevel(session->levels().at(6)));
+    QVERIFY(session->openLevel(session->levels().listed().at(6)));
     QTRY_VERIFY(isTogether(*session) && session->simulation().latest().run == 1);
     phys_state start;
     phys_scene_start(session->scene().get(), &start);

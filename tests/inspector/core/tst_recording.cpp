@@ -319,7 +319,7 @@ void TestRecording::sessionOfAPersonReplaysTheSame() {
     playFor(5);
     QVERIFY(session->setAutopilot(true));
     playFor(20);
-    QVERIFY(session->openLevel(session->levels()[1]));
+    QVERIFY(session->openLevel(session->levels().listed()[1]));
     session->game().confirm();
     playFor(20);
     session.reset();

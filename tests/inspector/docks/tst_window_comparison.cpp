@@ -176,7 +176,7 @@ void TestWindowComparison::typedSubstepsMoveTheGhost() {
 
 void TestWindowComparison::lookAtAnotherLevelsRunKeepsTheGhost() {
     makeSteps(5);
-    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels()[0]));
+    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().listed()[0]));
     QTRY_COMPARE(now().current.step, uint64_t(0));
     compareWith({"exact", 1});
     makeSteps(10);
@@ -465,7 +465,7 @@ void TestWindowComparison::savedTableHasTheGhost() {
 
 // Where the ghost is, the picture becomes bluer when it appears; elsewhere, except for the trails, no pixel changes.
 void TestWindowComparison::ghostIsDrawnWhereItIs() {
-    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().at(1)));
+    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().listed().at(1)));
     m_fixture->parameters().set({{"tilt_x", 8.0}, {"tilt_y", 8.0}});
     chooseDt(m_fixture->session(), 0.1);
     compareWith({"explicit-euler", 1});

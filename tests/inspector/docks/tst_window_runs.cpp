@@ -188,7 +188,7 @@ void TestWindowRuns::recordingWithoutStepsIsNotSaved_data() {
 
 void TestWindowRuns::recordingWithoutStepsIsNotSaved() {
     QFETCH(bool, isOtherLevel);
-    if (isOtherLevel) QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels()[1]));
+    if (isOtherLevel) QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().listed()[1]));
     restart();
     const QString file = m_fixture->path("none.rec");
     m_fixture->key(Qt::Key_S, Qt::ControlModifier);

@@ -375,7 +375,7 @@ void TestTrackDock::narrowDockHasRoomForWhatWasFound() {
 void TestTrackDock::otherLevelForgetsTheFit() {
     fitOnce();
     QVERIFY(find<QPushButton>("track_take_over").isEnabled());
-    QVERIFY(m_session->openLevel(m_session->levels()[4]));
+    QVERIFY(m_session->openLevel(m_session->levels().listed()[4]));
     QVERIFY(!find<QPushButton>("track_take_over").isEnabled());
     QCOMPARE(text("Restitution, walls", FitTable::Found), QString());
     QVERIFY2(!report().contains("verdict"), qPrintable(report()));

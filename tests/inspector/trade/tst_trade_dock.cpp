@@ -364,16 +364,16 @@ void TestTradeDock::figuresOfAnotherLevelKeepTheirBallsRadius() {
     slider.triggerAction(QSlider::SliderPageStepAdd);
     slider.triggerAction(QSlider::SliderPageStepSub);
     QCOMPARE(chosenRow(), chosen);
-    QVERIFY(m_session->openLevel(m_session->levels()[0]));
+    QVERIFY(m_session->openLevel(m_session->levels().listed()[0]));
     QCOMPARE(find<QLabel>("trade_answer").text(), answer);
 }
 
 void TestTradeDock::figuresAreOfTheirLevelAgainAfterAnother() {
     const QString measured = remark();
-    QVERIFY(m_session->openLevel(m_session->levels()[1]));
+    QVERIFY(m_session->openLevel(m_session->levels().listed()[1]));
     QCOMPARE(remark(), QString("These figures are of another level."));
     QVERIFY(!find<QPushButton>("trade_use").isEnabled());
-    QVERIFY(m_session->openLevel(m_session->levels()[0]));
+    QVERIFY(m_session->openLevel(m_session->levels().listed()[0]));
     QCOMPARE(remark(), measured);
     QVERIFY(find<QPushButton>("trade_use").isEnabled());
 }
@@ -580,7 +580,7 @@ void TestTradeDock::cancelKeepsWhatIsKnown() {
 void TestTradeDock::levelOpenedWhileMeasuringIsAnother() {
     QTest::mouseClick(&measure(), Qt::LeftButton);
     QVERIFY(isMeasuring());
-    QVERIFY(m_session->openLevel(m_session->levels()[1]));
+    QVERIFY(m_session->openLevel(m_session->levels().listed()[1]));
     QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
     QCOMPARE(remark(), QString("These figures are of another level."));
 }

@@ -122,7 +122,7 @@ QString TestWindowReplay::recorded() {
     QString file = m_fixture->path("run.rec");
     inspector::Options options;
     options.registry = inspector::makeRegistry(nullptr);
-    options.levels = m_fixture->session().levels();
+    options.levels = m_fixture->session().levels().listed();
     options.level = options.levels[2];
     options.record = file;
     options.settings = {{"restitution_wall", 0.25}};
@@ -196,7 +196,7 @@ void TestWindowReplay::droppedRecordingIsPlayedAndDroppedMazeIsOpened() {
     drop(recorded());
     QTRY_VERIFY(place().position > 0);
     const QString maze = m_fixture->path("mine.txt");
-    QVERIFY(QFile::copy(m_fixture->session().levels()[4].path, maze));
+    QVERIFY(QFile::copy(m_fixture->session().levels().listed()[4].path, maze));
     drop(maze);
     QVERIFY(!m_fixture->session().isReplaying());
     QCOMPARE(m_fixture->session().level().path, maze);
@@ -332,7 +332,7 @@ void TestWindowReplay::lockedChoiceIsAsFlatAsALockedNumber() {
 }
 
 void TestWindowReplay::recordingIntoAMazeOfTheReplayIsRefused() {
-    const inspector::Level own = m_fixture->session().levels()[0];
+    const inspector::Level own = m_fixture->session().levels().listed()[0];
     const QString copy = m_fixture->path("copy.txt");
     QVERIFY(QFile::copy(own.path, copy));
     QVERIFY(m_fixture->session().openLevel(inspector::levelOfFile(copy)));
@@ -523,7 +523,7 @@ void TestWindowReplay::ghostGoesWithTheReplay() {
 void TestWindowReplay::unattendedReplayEndsAtADifference() {
     inspector::Options options;
     options.registry = m_fixture->session().registry();
-    options.levels = m_fixture->session().levels();
+    options.levels = m_fixture->session().levels().listed();
     options.level = options.levels[0];
     options.replay = recorded();
     options.duration = 4.0;
@@ -555,7 +555,7 @@ void TestWindowReplay::pictureIsOfTheMomentAskedFor() {
     QFETCH(bool, isSame);
     inspector::Options options;
     options.registry = m_fixture->session().registry();
-    options.levels = m_fixture->session().levels();
+    options.levels = m_fixture->session().levels().listed();
     options.level = options.levels[0];
     options.replay = recorded();
     options.grab = m_fixture->path("picture.png");
@@ -578,7 +578,7 @@ void TestWindowReplay::pictureIsOfTheMomentAskedFor() {
 void TestWindowReplay::recordingThatIsRefusedOpensNoSession() {
     inspector::Options options;
     options.registry = m_fixture->session().registry();
-    options.levels = m_fixture->session().levels();
+    options.levels = m_fixture->session().levels().listed();
     options.level = options.levels[0];
     options.replay = m_fixture->path("nowhere.rec");
     QString error;
