@@ -67,7 +67,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     connect(this, &Session::paceChanged, this, &Session::watchPhysics);
     connect(m_simulation.get(), &Simulation::differenceFound, this, &Session::noteDifference);
     connect(m_simulation.get(), &Simulation::differenceReached, this, [this](uint64_t replay) {
-        if (m_replay && m_replay->number == replay) emit replayDiffers(m_replay->difference);
+        if (m_replay && m_replay->playback.number() == replay) emit replayDiffers(m_replay->playback.difference());
     });
     connect(&m_game, &Game::started, this, &Session::startGame);
     connect(&m_game, &Game::againWanted, this, &Session::restart);
@@ -378,7 +378,7 @@ void Session::passTrack() {
     add(level(), scene());
     if (m_past) add(m_past->level, m_past->scene);
     if (m_past) addAll(*m_past->past.recording);
-    if (m_replay) addAll(*m_replay->recording);
+    if (m_replay) addAll(m_replay->playback.recording());
     m_simulation->setTrack(m_track, std::move(scenes));
 }
 
@@ -404,9 +404,10 @@ bool Session::followTrack(bool isOn) {
 QStringList Session::openFiles() const {
     QStringList files{level().path, level().mesh};
     if (!m_replay) return files;
-    files += {recording().recording().file, m_replay->levelBefore.path, m_replay->levelBefore.mesh};
-    for (size_t i = 0; i < recording().recording().segments.size(); ++i)
-        files += {recording().level(i).path, recording().level(i).mesh};
+    const PlayableRecording &recording = m_replay->playback.recording();
+    files += {recording.recording().file, m_replay->levelBefore.path, m_replay->levelBefore.mesh};
+    for (size_t i = 0; i < recording.recording().segments.size(); ++i)
+        files += {recording.level(i).path, recording.level(i).mesh};
     files.removeDuplicates();
     return files;
 }

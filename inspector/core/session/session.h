@@ -11,6 +11,7 @@
 #include "core/session/levels.h"
 #include "core/session/live_uncertainty.h"
 #include "core/session/look_ahead.h"
+#include "core/session/playback.h"
 #include "core/session/run_history.h"
 #include "core/setup/handles.h"
 #include "core/setup/parameters.h"
@@ -107,16 +108,11 @@ public:
     /// Ends the replay; the game continues from the moment shown, with its parameters.
     void goOnFromHere();
     bool isReplaying() const { return m_replay.has_value(); }
-    /// The recording being replayed; level, stepper, dt and parameters are those of the last moment passed to
-    /// followReplay().
-    const PlayableRecording &recording() const { return *m_replay->recording; }
+    /// Of the recording; null while there is none. Level, stepper, dt and parameters are those of the last moment
+    /// passed to followReplay().
+    Playback *replay() { return m_replay ? &m_replay->playback : nullptr; }
     /// Sets level, stepper, dt and parameters to those of the moment shown; called about 30 times a second.
     void followReplay(const Snapshot &now);
-    /// The current or requested position of the replay; nothing before its first snapshot.
-    std::optional<ReplayPlace> replayPlace(const Snapshot &now) const;
-    void seek(uint64_t position);
-    /// "same", "same so far" or the first difference, in one line.
-    QString replayVerdict(const Snapshot &now) const;
 
     // ---- placing the ball ----
 
@@ -217,27 +213,19 @@ private:
     Origin origin() const;
 
     struct Replaying {
-        std::shared_ptr<const PlayableRecording> recording;
-        uint64_t number; ///< as in snapshots
+        Playback playback;
         Level levelBefore;
-        Stepping before;               ///< with all parameters
-        std::optional<size_t> segment; ///< last followed
-        uint64_t sought = 0;           ///< position
-        uint64_t seeks = 0;            ///< number of the last one
-        QString difference;            ///< the line
+        Stepping before; ///< with all parameters
     };
     bool startReplay(const QString &path, QString *error);
-    void follow(const PlayableRecording &recording, std::optional<size_t> &followed, size_t segment);
+    void follow(Playback &playback, size_t segment);
     /// The past shown instead of the present.
     struct LookingBack {
         Past past;
-        uint64_t number; ///< as in snapshots
-        Level level;     ///< these three of the present
+        Playback playback; ///< its positions are places, from the first of the past on
+        Level level;       ///< these three of the present
         Scene scene;
         Stepping stepping;
-        std::optional<size_t> segment; ///< last followed
-        uint64_t sought = 0;           ///< place
-        uint64_t seeks = 0;            ///< number of the last one
     };
     bool lookBack();
     bool isAtPresent(const RunPlace &run) const;

@@ -18,8 +18,8 @@ RunPlace Session::runPlace() {
         return RunPlace{begin, end, place, begin <= kept.begin && m_history.isOldestCut(kept)};
     };
     if (!m_past) return placeIn(std::max(kept.run, kept.begin), kept.end, kept.end);
-    const bool isThere = now.replay.number == m_past->number && now.replay.seeks >= m_past->seeks;
-    const uint64_t place = isThere ? kept.place : m_past->sought;
+    const Playback &playback = m_past->playback;
+    const uint64_t place = playback.showsSought(now) ? kept.place : m_past->past.begin + playback.sought();
     return placeIn(m_past->past.beginOfRun(place), m_past->past.endOfRun(place), place);
 }
 
@@ -38,9 +38,8 @@ bool Session::lookBack() {
     std::optional<Past> past = m_simulation->past(&error);
     if (!past) return report(error);
     if (past->recording->length() == 0) return false;
-    const uint64_t number = m_simulation->lookBack(*past);
-    const uint64_t end = past->end();
-    m_past.emplace(LookingBack{std::move(*past), number, level(), scene(), steppingWithAll(), {}, end, 0});
+    const Playback playback(*m_simulation, past->recording, m_simulation->lookBack(*past), past->end() - past->begin);
+    m_past.emplace(LookingBack{*std::move(past), playback, level(), scene(), steppingWithAll()});
     passTrack();
     emit pastChanged(true);
     return true;
@@ -48,18 +47,21 @@ bool Session::lookBack() {
 
 void Session::lookAt(uint64_t place) {
     if (!lookBack()) return;
-    m_past->sought = std::clamp(place, m_past->past.begin, m_past->past.end());
-    m_past->seeks = m_simulation->seek(m_past->sought - m_past->past.begin);
+    const Past &past = m_past->past;
+    m_past->playback.seek(std::clamp(place, past.begin, past.end()) - past.begin);
 }
 
 bool Session::showsWhatIsSought() const {
-    const ReplayPlace &now = m_simulation->latest().replay;
-    if (m_replay) return now.number == m_replay->number && now.seeks >= m_replay->seeks;
-    return !m_past || (now.number == m_past->number && now.seeks >= m_past->seeks);
+    const Snapshot &now = m_simulation->latest();
+    if (m_replay) return m_replay->playback.showsSought(now);
+    return !m_past || m_past->playback.showsSought(now);
 }
 
 void Session::lookAtTime(double time) {
-    if (m_replay) return seek(recording().positionAt(time, m_simulation->latest().replay.position));
+    if (m_replay) {
+        const PlayableRecording &recording = m_replay->playback.recording();
+        return m_replay->playback.seek(recording.positionAt(time, m_simulation->latest().replay.position));
+    }
     const RunPlace run = runPlace();
     if (run.begin == run.end || !lookBack()) return; // without a step it is shown by the present alone
     lookAt(m_past->past.placeAt(time, runPlace().place));
@@ -101,7 +103,7 @@ void Session::lookAtLastSteps() {
 }
 
 void Session::awaitMoment() {
-    while (m_past && m_simulation->latest().replay.seeks < m_past->seeks) QThread::msleep(1);
+    while (m_past && !showsWhatIsSought()) QThread::msleep(1);
     followReplay(m_simulation->latest());
 }
 
@@ -113,7 +115,7 @@ void Session::takeOver() {
     m_history.keepFuture(place, m_simulation->latest(), m_simulation->samples());
     m_history.continueFrom(m_past->past.end() + 1, settingsSpans(runPlace().begin, place));
     const std::shared_ptr<const PlayableRecording> recording = m_past->past.recording;
-    const std::optional<size_t> segment = m_past->segment; // none if nothing of the past was shown yet
+    const std::optional<size_t> segment = m_past->playback.segment(); // none if nothing of the past was shown yet
     if (segment)
         m_tilt.takeOver(settingsOf(recording->segment(*segment).conditions, registry()), m_past->stepping.settings);
     if (segment) noticeOlderMaze(*recording, *segment);
@@ -134,7 +136,8 @@ void Session::takeOver() {
 std::vector<SettingsSpan> Session::settingsSpans() {
     if (!m_replay) return settingsSpans(runPlace().begin, runPlace().end);
     const uint64_t position = m_simulation->latest().replay.position;
-    return spansOf(recording(), recording().runAt(position).begin, position);
+    const PlayableRecording &recording = m_replay->playback.recording();
+    return spansOf(recording, recording.runAt(position).begin, position);
 }
 
 /// Of the steps [begin, end) of the run that begins there, and of those that it continues.

@@ -26,11 +26,12 @@ bool Session::startReplay(const QString &path, QString *error) {
     }
     const Level levelBefore = m_replay ? m_replay->levelBefore : level();
     const Stepping before = m_replay ? m_replay->before : steppingWithAll();
-    m_replay.emplace(Replaying{recording, m_simulation->startReplay(recording), levelBefore, before, {}, 0, 0, {}});
+    const Playback playback(*m_simulation, recording, m_simulation->startReplay(recording));
+    m_replay.emplace(Replaying{playback, levelBefore, before});
     passTrack();
     showPrompt(); // the game played before is over
     emit replayChanged(true);
-    follow(*recording, m_replay->segment, 0); // so that a comparison begins with the recording
+    follow(m_replay->playback, 0); // so that a comparison begins with the recording
     m_simulation->run();
     return true;
 }
@@ -51,14 +52,15 @@ void Session::leaveReplay() {
 void Session::goOnFromHere() {
     const Snapshot now = m_simulation->latest(); // so that conditions and position belong together
     followReplay(now);
-    if (!replayPlace(now)) return; // nothing shown yet
+    if (!m_replay || !m_replay->playback.place(now)) return; // nothing shown yet
+    const PlayableRecording &recording = m_replay->playback.recording();
     const uint64_t position = now.replay.position;
     const bool hasSteps = now.history.end > now.history.run;
     m_history.continueFrom(now.history.end + (hasSteps ? 1 : 0),
-                           spansOf(recording(), recording().runAt(position).begin, position));
-    m_tilt.takeOver(settingsOf(recording().segment(now.replay.segment).conditions, registry()),
+                           spansOf(recording, recording.runAt(position).begin, position));
+    m_tilt.takeOver(settingsOf(recording.segment(now.replay.segment).conditions, registry()),
                     m_replay->before.settings);
-    noticeOlderMaze(recording(), now.replay.segment);
+    noticeOlderMaze(recording, now.replay.segment);
     m_replay.reset();
     m_isTakenOver = true;
     m_isPlaced = false;
@@ -71,16 +73,15 @@ void Session::goOnFromHere() {
 void Session::followReplay(const Snapshot &now) {
     watchRuns(now);
     m_lookAhead.follow(now, scene());
-    if (m_replay && now.replay.number == m_replay->number)
-        follow(*m_replay->recording, m_replay->segment, now.replay.segment);
-    if (!m_past || now.replay.number != m_past->number) return;
-    follow(*m_past->past.recording, m_past->segment, now.replay.segment);
-    if (!now.running && now.replay.seeks >= m_past->seeks && isAtPresent(runPlace())) returnToPresent();
+    if (m_replay && now.replay.number == m_replay->playback.number()) follow(m_replay->playback, now.replay.segment);
+    if (!m_past || now.replay.number != m_past->playback.number()) return;
+    follow(m_past->playback, now.replay.segment);
+    if (!now.running && m_past->playback.showsSought(now) && isAtPresent(runPlace())) returnToPresent();
 }
 
-void Session::follow(const PlayableRecording &recording, std::optional<size_t> &followed, size_t index) {
-    if (followed == index) return;
-    followed = index;
+void Session::follow(Playback &playback, size_t index) {
+    if (!playback.follow(index)) return;
+    const PlayableRecording &recording = playback.recording();
     const Conditions &conditions = recording.segment(index).conditions;
     show({conditions.stepper.id, conditions.dt, settingsOf(conditions, registry())});
     if (scene() == recording.scene(index)) return;
@@ -112,32 +113,10 @@ void Session::show(const Stepping &stepping) {
     emit paceChanged();
 }
 
-std::optional<ReplayPlace> Session::replayPlace(const Snapshot &now) const {
-    if (!m_replay) return std::nullopt;
-    ReplayPlace place = now.replay;
-    if (place.number != m_replay->number) return std::nullopt;
-    if (place.seeks < m_replay->seeks) place.position = std::min(m_replay->sought, place.end);
-    return place;
-}
-
-void Session::seek(uint64_t position) {
-    if (!m_replay) return;
-    m_replay->sought = position;
-    m_replay->seeks = m_simulation->seek(position);
-}
-
 void Session::noteDifference(uint64_t replay, const Difference &difference) {
-    if (!m_replay || m_replay->number != replay) return;
-    m_replay->difference = verdict(*m_replay->recording, {0, difference});
-    emit replayDiffers(m_replay->difference);
-}
-
-QString Session::replayVerdict(const Snapshot &now) const {
-    const std::optional<ReplayPlace> place = replayPlace(now);
-    if (!place) return {};
-    if (!m_replay->difference.isEmpty()) return m_replay->difference;
-    if (place->isChecked) return verdict(*m_replay->recording, {place->checked, std::nullopt});
-    return tr("same so far: %1 of %2 steps").arg(place->checked).arg(place->end);
+    if (!m_replay || m_replay->playback.number() != replay) return;
+    m_replay->playback.noteDifference(difference);
+    emit replayDiffers(m_replay->playback.difference());
 }
 
 } // namespace inspector

@@ -103,7 +103,7 @@ TimeBar::TimeBar(Session &session, const QList<QAction *> &playback, const QList
 }
 
 void TimeBar::goTo(int notch) {
-    if (m_session.isReplaying()) return m_session.seek(uint64_t(notch));
+    if (Playback *replay = m_session.replay()) return replay->seek(uint64_t(notch));
     const RunPlace run = m_session.runPlace();
     m_session.lookAt(run.begin + uint64_t(notch));
 }
@@ -118,7 +118,7 @@ void TimeBar::reset() {
     m_alarm->setOn(false);
     m_place->setWidest({});
     if (!m_session.isReplaying()) return showRun(m_session.simulation().latest());
-    const PlayableRecording &recording = m_session.recording();
+    const PlayableRecording &recording = m_session.replay()->recording();
     const QSignalBlocker silent(m_slider);
     m_slider->setRange(0, notchOf(recording.length()));
     m_slider->setValue(0);
@@ -132,8 +132,9 @@ void TimeBar::reset() {
 void TimeBar::refresh(const Snapshot &now) {
     m_recording->setVisible(m_session.isRecording());
     showTrack(now);
-    if (!m_session.isReplaying()) return showRun(now);
-    const std::optional<ReplayPlace> place = m_session.replayPlace(now);
+    const Playback *replay = m_session.replay();
+    if (!replay) return showRun(now);
+    const std::optional<ReplayPlace> place = replay->place(now);
     if (!place) return;
     showPlace(*place, now);
     showVerdict(*place, now);
@@ -177,17 +178,17 @@ void TimeBar::showPlace(const ReplayPlace &place, const Snapshot &now) {
     m_place->setText(tr("%1 s · step %2 of %3")
                          .arg(now.current.time, 0, 'f', 3)
                          .arg(now.replay.position)
-                         .arg(m_session.recording().length()));
+                         .arg(m_session.replay()->recording().length()));
     const QSignalBlocker silent(m_slider);
     m_slider->setPageStep(int(std::clamp(std::round(1.0 / now.dt), 1.0, 1e6)));
     if (!m_slider->isSliderDown()) m_slider->setValue(notchOf(place.position));
 }
 
 void TimeBar::showVerdict(const ReplayPlace &place, const Snapshot &now) {
-    const bool isWhole = m_session.recording().recording().isWhole;
+    const bool isWhole = m_session.replay()->recording().recording().isWhole;
     QString text = place.isChecked ? (isWhole ? tr("same") : tr("same, cut off")) : tr("same so far");
     if (place.difference) text = tr("differs from step %1 on").arg(*place.difference);
-    m_verdict->setToolTip(m_session.replayVerdict(now));
+    m_verdict->setToolTip(m_session.replay()->verdict(now));
     m_toDifference->setVisible(place.difference.has_value());
     if (m_verdict->text() == text) return;
     m_verdict->setText(text);
@@ -197,10 +198,12 @@ void TimeBar::showVerdict(const ReplayPlace &place, const Snapshot &now) {
 }
 
 void TimeBar::goToDifference() {
-    const std::optional<ReplayPlace> place = m_session.replayPlace(m_session.simulation().latest());
+    Playback *replay = m_session.replay();
+    if (!replay) return;
+    const std::optional<ReplayPlace> place = replay->place(m_session.simulation().latest());
     if (!place || !place->difference) return;
     m_session.simulation().pause();
-    m_session.seek(*place->difference);
+    replay->seek(*place->difference);
 }
 
 } // namespace inspector::ui

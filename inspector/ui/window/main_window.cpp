@@ -235,8 +235,9 @@ void MainWindow::openLevel() {
 
 void MainWindow::showTitle() {
     const QString title = tr("%1 – Physics inspector").arg(levelTitle(m_session, m_session.level()));
-    if (!m_session.isReplaying()) return setWindowTitle(title);
-    const QString name = QFileInfo(m_session.recording().recording().file).fileName();
+    const Playback *replay = m_session.replay();
+    if (!replay) return setWindowTitle(title);
+    const QString name = QFileInfo(replay->recording().recording().file).fileName();
     setWindowTitle(QStringLiteral("%1 – %2").arg(oneLine(name), title));
 }
 

@@ -340,10 +340,12 @@ void MainWindow::showReplay(bool isOn) {
     watchMaze();
     showTitle();
     m_view->setFocus();
-    if (!isOn || m_session.recording().recording().isWhole) return;
+    if (!isOn) return;
+    const PlayableRecording &recording = m_session.replay()->recording();
+    if (recording.recording().isWhole) return;
     m_messages->showLine(tr("%1: the recording was interrupted; it ends after %2 steps")
-                             .arg(m_session.recording().recording().file)
-                             .arg(m_session.recording().length()),
+                             .arg(recording.recording().file)
+                             .arg(recording.length()),
                          Cause::Replay);
 }
 
@@ -510,13 +512,13 @@ void MainWindow::stepBack() {
 }
 
 void MainWindow::goToStart() {
-    if (m_session.isReplaying()) return m_session.seek(0);
+    if (Playback *replay = m_session.replay()) return replay->seek(0);
     const RunPlace run = m_session.runPlace();
     if (run.place > run.begin) m_session.lookAt(run.begin);
 }
 
 void MainWindow::goToEnd() {
-    if (m_session.isReplaying()) return m_session.seek(m_session.recording().length());
+    if (Playback *replay = m_session.replay()) return replay->seek(replay->recording().length());
     m_session.returnToPresent();
 }
 

@@ -73,7 +73,7 @@ void MainWindow::remember(const QString &path, bool isOpen) {
 
 /// Adds the command line's file to the recent ones, unless it is a level, as levels have a list of their own.
 void MainWindow::rememberFirst() {
-    if (m_session.isReplaying()) return remember(m_session.recording().recording().file, true);
+    if (const Playback *replay = m_session.replay()) return remember(replay->recording().recording().file, true);
     if (!m_session.levels().isOpenListed()) remember(m_session.level().path, true);
 }
 

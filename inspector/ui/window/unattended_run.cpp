@@ -68,12 +68,12 @@ bool UnattendedRun::isOver() {
 }
 
 void UnattendedRun::startReplay() {
-    const PlayableRecording &recording = m_session.recording();
+    const PlayableRecording &recording = m_session.replay()->recording();
     m_lastPosition = m_duration ? recording.positionAt(*m_duration) : recording.length();
     connect(&m_session, &Session::replayDiffers, this, [this](const QString &line) { m_difference = line; });
     if (!m_grabs) return;
     m_session.simulation().pause();
-    m_session.seek(m_lastPosition);
+    m_session.replay()->seek(m_lastPosition);
 }
 
 bool UnattendedRun::isReplayOver() {

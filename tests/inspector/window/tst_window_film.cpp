@@ -176,7 +176,7 @@ void TestWindowFilm::filmOfARecordingIsOfItsRun() {
     QVERIFY(session.saveRun(m_fixture->path("run.rec"), nullptr));
     QVERIFY(session.openRecording(m_fixture->path("run.rec")));
     m_fixture->simulation().pause();
-    session.seek(60);
+    session.replay()->seek(60);
     QTRY_COMPARE(position(), uint64_t(60));
     const QString folder = m_fixture->path("film");
     ask("0.2", "10", folder);

@@ -444,8 +444,8 @@ void TestWindowPast::savedRunRepeats() {
     const QString path = m_fixture->path("kept.rec");
     QVERIFY2(session().saveRun(path, &error), qPrintable(error));
     QVERIFY(session().openRecording(path));
-    QCOMPARE(session().recording().length(), uint64_t(40));
-    QTRY_COMPARE(session().replayVerdict(now()), QString("same: 40 steps"));
+    QCOMPARE(session().replay()->recording().length(), uint64_t(40));
+    QTRY_COMPARE(session().replay()->verdict(now()), QString("same: 40 steps"));
 }
 
 void TestWindowPast::tableAndPictureAreSaved() {

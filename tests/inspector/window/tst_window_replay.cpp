@@ -165,7 +165,7 @@ void TestWindowReplay::drop(const QString &file) {
 void TestWindowReplay::goTo(uint64_t position) {
     m_fixture->simulation().pause();
     QTRY_VERIFY(!m_fixture->simulation().latest().running); // so that it isn't just passing through
-    m_fixture->session().seek(position);
+    m_fixture->session().replay()->seek(position);
     QTRY_COMPARE(place().position, position);
     QTRY_VERIFY(place().isChecked);
     m_fixture->window().refresh();
