@@ -6,11 +6,13 @@
 #include "contact/near.h"
 #include "contact/work.h"
 #include "phases/phase.h"
+#include "phases/uniform.h"
 #include "scene/nearest.h"
 #include "shared/first_zero.h"
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace phys {
 
@@ -187,7 +189,9 @@ private:
     /// the phase turns once. Each step begins at a number of few digits, so that the path of the search leaves no trace
     /// in the last ones. kNever if another feature of the box is nearer then, or the method fails.
     double run(double until) const {
-        double t = firstFall(m_gap, m_rate, glm::dot(m_normal, m_phase.accelerationAt(m_around.motion.velocity)));
+        const double first =
+            firstFall(m_gap, m_rate, glm::dot(m_normal, m_phase.accelerationAt(m_around.motion.velocity)));
+        double t = first;
         bool wasNear = false;
         for (int i = 0; i < 5 && t > 0.0 && t < until; ++i) {
             Vec3 normal;
@@ -198,7 +202,16 @@ private:
             if (isNear && (wasNear || fewDigits(t) == start)) return t < until ? t : kNever;
             wasNear = isNear;
         }
-        return kNever; // of a NaN, too
+        return std::isnan(t) ? grazing(first) : kNever;
+    }
+
+    /// Where the ball only just reaches the plane, Newton's method may step across and see it leave. Under a constant
+    /// acceleration it isn't needed: t is the zero.
+    double grazing(double t) const {
+        if constexpr (!std::is_same_v<Phase, Uniform>) return kNever;
+        Vec3 normal;
+        m_target.gap(m_phase.at(t).way, m_around.scene.radius, normal);
+        return normal == m_normal ? t : kNever;
     }
 
     static bool isFace(const Vec3 &n) { return std::abs(n.x) == 1.0 || std::abs(n.y) == 1.0 || std::abs(n.z) == 1.0; }
