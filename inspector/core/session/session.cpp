@@ -85,7 +85,7 @@ void Session::startGame() {
     returnToPresent();
     m_hasUsualPhysics = true;
     watchPhysics();
-    m_isTakenOver = isBallPut;
+    isBallPut ? m_start.leave() : m_start.begin();
     endTakenTilt();
     isBallPut ? m_simulation->setState(begin) : m_simulation->restart();
     m_simulation->run();
@@ -103,7 +103,7 @@ void Session::restart() {
 }
 
 void Session::endGame(const Departure &departure) {
-    const bool hasBegunOutside = !m_isTakenOver && !startFault().isEmpty();
+    const bool hasBegunOutside = !m_start.isFromElsewhere() && !m_start.fault(scene()).isEmpty();
     if (departure.side == BoardSide::Below || hasBegunOutside) return m_game.lose(departure.time);
     m_game.leaveMaze(departure.time, !whyNoBestTime().isEmpty());
 }
@@ -121,16 +121,10 @@ void Session::watchPhysics() {
 
 QString Session::whyNoBestTime() {
     if (m_hasAutopilot) return tr("the autopilot's");
-    if (m_isTakenOver || m_ownStart) return tr("not from the start");
+    if (m_start.isFromElsewhere() || m_start.isOwn()) return tr("not from the start");
     if (!m_hasUsualPhysics) return tr("speed or physics changed");
     if (m_levels.exits() && m_levels.exits()->empty()) return tr("this maze has no way out");
     return {};
-}
-
-QString Session::startFault() const {
-    phys_state start;
-    if (m_ownStart || phys_scene_start(scene().get(), &start) != PHYS_OK) return {};
-    return inspector::startFault(scene().get(), start.position);
 }
 
 std::optional<Departure> Session::departure(const Snapshot &now) const {
@@ -172,8 +166,7 @@ bool Session::openLevel(const Level &level) {
     if (!stepper) return report(error);
     if (m_replay) leaveReplay();
     returnToPresent();
-    m_ownStart.reset();
-    m_isTakenOver = false;
+    m_start.openLevel();
     m_levels.open(level, scene);
     m_simulation->setScene(scene, stepper, origin());
     m_followsTrack = false; // setScene() ended it
@@ -314,8 +307,7 @@ void Session::placeBall(const phys_state &state) {
     const Snapshot now = m_simulation->latest();
     watchRuns(now);
     takeOver();
-    m_isTakenOver = true;
-    m_isPlaced = true;
+    m_start.place();
     m_simulation->pause(); // first, so that the ball stays there
     phys_state placed = state;
     placed.flags = 0; // of the step before
@@ -332,23 +324,10 @@ void Session::putBallBack(const Snapshot &before) {
     emit ballPutBack();
 }
 
-bool Session::isBallPut() const {
-    const Snapshot &now = m_simulation->latest();
-    const bool hasMoved = now.running || now.history.end > now.history.run;
-    if (m_replay || m_past || !m_isPlaced || hasMoved) return false;
-    phys_state start;
-    if (m_ownStart)
-        start = *m_ownStart;
-    else if (phys_scene_start(scene().get(), &start) != PHYS_OK)
-        return false;
-    const auto isSame = [](const phys_vec3 &a, const phys_vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
-    const phys_state &ball = now.current;
-    return !isSame(ball.position, start.position) || !isSame(ball.velocity, start.velocity) ||
-           !isSame(ball.spin, start.spin);
-}
+bool Session::isBallPut() const { return !m_replay && !m_past && m_start.isBallPut(m_simulation->latest(), scene()); }
 
 void Session::setStart(const std::optional<phys_state> &start) {
-    m_ownStart = start;
+    m_start.set(start);
     m_simulation->setStart(start);
 }
 
@@ -391,7 +370,7 @@ bool Session::followTrack(bool isOn) {
     setStart(isOn ? std::optional(m_track->start(scene().get())) : std::nullopt);
     m_simulation->setPilot(isOn ? std::make_shared<TrackPilot>(m_track) : nullptr);
     if (isOn) {
-        m_isTakenOver = true; // disables the best time
+        m_start.leave(); // disables the best time
         m_simulation->restart();
         m_simulation->run();
     } else {

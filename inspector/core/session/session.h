@@ -13,6 +13,7 @@
 #include "core/session/look_ahead.h"
 #include "core/session/playback.h"
 #include "core/session/run_history.h"
+#include "core/session/run_start.h"
 #include "core/setup/handles.h"
 #include "core/setup/parameters.h"
 #include "core/simulation/departure.h"
@@ -57,6 +58,7 @@ public:
     Simulation &simulation() { return *m_simulation; }
     Game &game() { return m_game; }
     Comparison &comparison() { return *m_comparison; }
+    const RunStart &start() const { return m_start; }
     const RunHistory &history() const { return m_history; }
     LookAhead &lookAhead() { return m_lookAhead; }
     LiveUncertainty &liveUncertainty() { return m_liveUncertainty; }
@@ -72,8 +74,6 @@ public:
     bool hasAutopilot() const { return m_hasAutopilot; }
     /// Why a win at this moment would not count as a best time, in a few words; empty if it would.
     QString whyNoBestTime();
-    /// What is wrong with the place where the ball starts, in a few words; empty if nothing is.
-    QString startFault() const;
     /// Of the run shown, up to the moment shown.
     std::optional<Departure> departure(const Snapshot &now) const;
     std::optional<Departure> departure() const; ///< of all its samples
@@ -124,8 +124,7 @@ public:
     void putBallBack(const Snapshot &before);
     /// Where restarts put the ball; empty: at the maze's start. Reset when another level is opened.
     void setStart(const std::optional<phys_state> &start);
-    bool hasOwnStart() const { return m_ownStart.has_value(); }
-    /// Whether the ball was moved away from its start and hasn't moved since: a game would begin there.
+    /// Whether the ball was moved away from its start by hand and hasn't moved since: a game would begin there.
     bool isBallPut() const;
 
     // ---- a measured ball, overlaid on the run; dropped with another level ----
@@ -249,10 +248,8 @@ private:
     std::optional<Replaying> m_replay;
     std::optional<LookingBack> m_past;
     bool m_isFollowing = false; ///< parameters are being set to those of the moment shown
-    std::optional<phys_state> m_ownStart;
+    RunStart m_start;
     RunHistory m_history;
-    bool m_isTakenOver = false;    ///< from a replay, the past or by hand: such a run sets no best time
-    bool m_isPlaced = false;       ///< by hand, since the last run was taken over
     bool m_hasUsualPhysics = true; ///< unchanged since the level was started
     Parameters m_parameters;
     HandTilt m_tilt;

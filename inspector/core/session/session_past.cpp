@@ -120,8 +120,7 @@ void Session::takeOver() {
         m_tilt.takeOver(settingsOf(recording->segment(*segment).conditions, registry()), m_past->stepping.settings);
     if (segment) noticeOlderMaze(*recording, *segment);
     m_past.reset();
-    m_isTakenOver = true;
-    m_isPlaced = false;
+    m_start.takeOver();
     m_tilt.releaseKeys();
     m_simulation->goOnFrom(position, origin());
     if (m_hasAutopilot) fly(nullptr);

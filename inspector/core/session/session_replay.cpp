@@ -62,8 +62,7 @@ void Session::goOnFromHere() {
                     m_replay->before.settings);
     noticeOlderMaze(recording, now.replay.segment);
     m_replay.reset();
-    m_isTakenOver = true;
-    m_isPlaced = false;
+    m_start.takeOver();
     m_tilt.releaseKeys();
     m_simulation->goOnFrom(position, origin());
     m_game.goOn(m_levels.index(), m_levels.otherMaze());

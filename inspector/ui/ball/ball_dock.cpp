@@ -119,7 +119,7 @@ void BallDock::refresh(const Snapshot &now) {
                     : m_session.isReplaying() ? tr("As recorded; can be set after going on from here (G).")
                                               : tr("Can be set while a game or a run is paused."));
     m_startHere->setEnabled(canBeSet);
-    m_usualStart->setEnabled(m_session.hasOwnStart());
+    m_usualStart->setEnabled(m_session.start().isOwn());
 }
 
 } // namespace inspector::ui

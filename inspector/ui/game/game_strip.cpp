@@ -40,13 +40,13 @@ QString winLine(Session &session, const Game &game) {
 }
 
 QString lossLine(const Session &session) {
-    const QString fault = session.startFault();
+    const QString fault = session.start().fault(session.scene());
     return fault.isEmpty() ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "the ball fell through a hole")) : fault;
 }
 
 /// A hint what to do; for the user's own maze also its best time, which the list of levels doesn't show.
 QString promptHint(Session &session) {
-    if (QString fault = session.startFault(); !fault.isEmpty()) return fault;
+    if (QString fault = session.start().fault(session.scene()); !fault.isEmpty()) return fault;
     if (session.hasAutopilot())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"));
     QString play = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip",
