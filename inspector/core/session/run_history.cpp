@@ -39,7 +39,7 @@ void RunHistory::continueFrom(uint64_t begin, std::vector<SettingsSpan> before) 
     m_before = std::move(before);
 }
 
-std::vector<SettingsSpan> RunHistory::withBefore(uint64_t begin, std::vector<SettingsSpan> spans) const {
+std::vector<SettingsSpan> RunHistory::withBefore(uint64_t begin, const std::vector<SettingsSpan> &spans) const {
     return begin == m_continuation ? joined(m_before, spans) : spans;
 }
 

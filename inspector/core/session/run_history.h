@@ -42,7 +42,7 @@ public:
     /// The run that will begin there continues another one, whose steps were made by these.
     void continueFrom(uint64_t begin, std::vector<SettingsSpan> before);
     /// What made the steps of the run that begins there, after those of the run that it continues.
-    std::vector<SettingsSpan> withBefore(uint64_t begin, std::vector<SettingsSpan> spans) const;
+    std::vector<SettingsSpan> withBefore(uint64_t begin, const std::vector<SettingsSpan> &spans) const;
 
 private:
     std::vector<KeptRun> m_runs;

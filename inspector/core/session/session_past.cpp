@@ -144,7 +144,7 @@ std::vector<SettingsSpan> Session::settingsSpans(uint64_t begin, uint64_t end) {
     const std::optional<Past> past = m_simulation->past(nullptr, begin, end);
     std::vector<SettingsSpan> spans;
     if (past) spans = spansOf(*past->recording, 0, past->recording->length());
-    return m_history.withBefore(begin, std::move(spans));
+    return m_history.withBefore(begin, spans);
 }
 
 void Session::watchRuns(const Snapshot &now) {
