@@ -4,7 +4,7 @@
 namespace inspector {
 
 namespace {
-constexpr std::chrono::duration<double> kWindow{0.5};
+constexpr std::chrono::duration<double> kRatePeriod{0.5};
 }
 
 void RateMeter::start(Clock::time_point now) {
@@ -16,7 +16,7 @@ void RateMeter::count(Clock::time_point now, double dt) {
     ++m_steps;
     m_simulated += dt;
     const std::chrono::duration<double> passed = now - m_begin;
-    if (passed < kWindow) return;
+    if (passed < kRatePeriod) return;
     m_stepsPerSecond = double(m_steps) / passed.count();
     m_speed = m_simulated / passed.count();
     m_begin = now;

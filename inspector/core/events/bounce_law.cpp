@@ -11,7 +11,7 @@ namespace inspector {
 namespace {
 
 /// Relative difference of speeds below which it is rounding.
-constexpr double kRounding = 1e-13;
+constexpr double kLawRounding = 1e-13;
 
 /// Gaps below this share of the radius count as zero.
 constexpr double kTouching = 1e-9;
@@ -49,7 +49,7 @@ double allowanceOf(const LoggedEvent &bounce, const phys_vec3 &normal) {
 
 QString verdict(double deviation) {
     if (deviation == 0.0) return QStringLiteral("to the last bit");
-    if (deviation < kRounding) return QStringLiteral("to rounding (%1)").arg(QString::number(deviation, 'g', 1));
+    if (deviation < kLawRounding) return QStringLiteral("to rounding (%1)").arg(QString::number(deviation, 'g', 1));
     return QStringLiteral("off by %1 %").arg(QString::number(100.0 * deviation, 'g', 2));
 }
 

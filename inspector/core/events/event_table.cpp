@@ -75,14 +75,14 @@ void addBounceLines(E event, double radius, std::vector<LawLine> &lines) {
          QStringLiteral("%1 → %2 in this step").arg(vector(before.spin, ""), vector(after.spin, " rad/s"))});
 }
 
-QByteArray exactly(double value) { return QByteArray::number(value, 'g', QLocale::FloatingPointShortest); }
+QByteArray shortest(double value) { return QByteArray::number(value, 'g', QLocale::FloatingPointShortest); }
 
 QByteArray csvRow(E event, const Registry &registry, char separator) {
     QByteArray row = eventKindName(event.event.kind).toUtf8() + separator + stepperId(registry, event.step.stepper) +
                      separator + modelName(event.step.params.model).toUtf8();
     for (const EventColumn &column : eventColumns()) {
         const Figure value = column.value(event);
-        row += separator + (value ? exactly(*value) : QByteArray());
+        row += separator + (value ? shortest(*value) : QByteArray());
     }
     return row + '\n';
 }

@@ -125,13 +125,13 @@ size_t PlayableRecording::runIndexAt(uint64_t position) const {
 }
 
 uint64_t PlayableRecording::stepsUntil(double time, size_t run) const {
-    constexpr double kRounding = 1e-6; // share of a step
+    constexpr double kStepRounding = 1e-6; // share of a step
     const StepSpan steps = this->run(run);
     double begin = 0.0; // s, of the segment
     for (size_t index = 0; index < m_places.size() && this->begin(index) < steps.end; ++index) {
         if (segment(index).from) begin = segment(index).from->time;
         const double dt = segment(index).conditions.dt;
-        const double made = std::max(0.0, std::ceil((time - begin) / dt - kRounding));
+        const double made = std::max(0.0, std::ceil((time - begin) / dt - kStepRounding));
         if (this->begin(index) >= steps.begin && made <= double(segment(index).hashes.size()))
             return this->begin(index) + uint64_t(made) - steps.begin;
         begin += dt * double(segment(index).hashes.size());

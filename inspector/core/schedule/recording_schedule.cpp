@@ -9,13 +9,13 @@ namespace inspector {
 
 namespace {
 
-using Place = std::vector<Segment>::const_iterator;
+using SegmentPlace = std::vector<Segment>::const_iterator;
 
 /// The first segment with steps of the last run; the end if there is none.
-Place lastRun(const std::vector<Segment> &segments) {
-    Place result = segments.end();
-    Place begin = segments.begin();
-    for (Place place = segments.begin(); place != segments.end(); ++place) {
+SegmentPlace lastRun(const std::vector<Segment> &segments) {
+    SegmentPlace result = segments.end();
+    SegmentPlace begin = segments.begin();
+    for (SegmentPlace place = segments.begin(); place != segments.end(); ++place) {
         if (place->from) begin = place;
         if (!place->hashes.empty()) result = begin;
     }
@@ -23,7 +23,7 @@ Place lastRun(const std::vector<Segment> &segments) {
 }
 
 /// The steps of a run follow each other without a gap; times are multiples of dt as long as dt stays the same.
-TiltSchedule tiltsOf(Place place, Place end, double duration) {
+TiltSchedule tiltsOf(SegmentPlace place, SegmentPlace end, double duration) {
     TiltSchedule result;
     double since = 0.0; // s, when this dt began
     uint64_t steps = 0; // made with this dt
@@ -50,7 +50,7 @@ TiltSchedule tiltsOf(Place place, Place end, double duration) {
 TiltSchedule recordedSchedule(const QString &path, const Registry &registry, double duration, QString *error) {
     const std::optional<Recording> recording = readRecording(path, registry, error);
     if (!recording) return {};
-    const Place run = lastRun(recording->segments);
+    const SegmentPlace run = lastRun(recording->segments);
     if (run == recording->segments.end()) {
         *error = QStringLiteral("%1: expected steps, found none").arg(oneLine(path));
         return {};

@@ -16,7 +16,7 @@ namespace inspector {
 
 namespace {
 
-constexpr double kRounding = 1e-9; ///< share of a step: tolerance for a segment to be a whole number of steps
+constexpr double kScheduleRounding = 1e-9; ///< share of a step: tolerance for a segment to be a whole number of steps
 constexpr int kPushedRuns = 4;
 constexpr double kTurnStep = 0.001; ///< s
 
@@ -59,11 +59,11 @@ std::vector<TiltSegment> segmentsOf(const TiltSchedule &schedule, double gravity
 }
 
 std::vector<Leg> legsOf(const std::vector<TiltSegment> &segments, double dt) {
-    const auto stride = uint32_t(std::max(1.0, std::floor(kComparePeriod / dt + kRounding)));
+    const auto stride = uint32_t(std::max(1.0, std::floor(kComparePeriod / dt + kScheduleRounding)));
     std::vector<Leg> legs;
     for (size_t i = 0; i < segments.size(); ++i) {
         const TiltSegment &segment = segments[i];
-        const auto whole = uint64_t(std::floor(segment.length / dt + kRounding));
+        const auto whole = uint64_t(std::floor(segment.length / dt + kScheduleRounding));
         const double rest = segment.length - double(whole) * dt;
         const auto add = [&](double length, uint32_t steps, double offset) {
             legs.push_back({i, length, steps, offset, segment.begin + offset});
@@ -73,7 +73,7 @@ std::vector<Leg> legsOf(const std::vector<TiltSegment> &segments, double dt) {
             done += steps;
             add(dt, steps, double(done) * dt);
         }
-        if (rest > kRounding * dt) add(rest, 1, segment.length);
+        if (rest > kScheduleRounding * dt) add(rest, 1, segment.length);
     }
     return legs;
 }
@@ -125,7 +125,7 @@ bool TradeReference::step(size_t segment, double dt, phys_state &state, phys_rep
 }
 
 bool TradeReference::turn(size_t segment, double time, phys_state &state) const {
-    const double count = std::max(1.0, std::ceil(time / kTurnStep - kRounding));
+    const double count = std::max(1.0, std::ceil(time / kTurnStep - kScheduleRounding));
     for (int i = 0; i < int(count); ++i)
         if (!step(segment, time / count, state, nullptr, nullptr)) return false;
     return true;
@@ -134,7 +134,7 @@ bool TradeReference::turn(size_t segment, double time, phys_state &state) const 
 std::vector<phys_state> TradeReference::statesAt(const std::vector<Leg> &legs) const {
     std::vector<phys_state> states;
     states.reserve(legs.size());
-    const double rounding = kRounding * kScheduleHold;
+    const double rounding = kScheduleRounding * kScheduleHold;
     size_t piece = 0;
     phys_state turned = m_states.front(); // the same ball in small steps
     double turnedUntil = 0.0;             // s

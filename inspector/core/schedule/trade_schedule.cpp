@@ -29,7 +29,7 @@ void append(std::vector<TiltSwitch> &switches, double time, Tilt tilt) {
 }
 
 /// Parses the lines of a schedule's file, one by one.
-class Reader {
+class ScheduleReader {
 public:
     /// False if the line is invalid; `error` then gets the expected and the found text.
     bool read(const QString &line, QString *error) {
@@ -143,7 +143,7 @@ TiltSchedule readSchedule(const QString &path, double duration, QString *error) 
     constexpr qint64 kLargest = 500 * kMegabyte; // a table of an hour at 1 ms
     const std::optional<QByteArray> text = readFile(path, kLargest, error);
     if (!text) return {};
-    Reader reader;
+    ScheduleReader reader;
     int number = 0;
     for (const QByteArray &line : text->split('\n')) {
         QString reason;

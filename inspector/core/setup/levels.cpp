@@ -22,7 +22,7 @@ bool isMaze(const QString &path) {
 }
 
 /// Natural order: digits compare as numbers, 2 before 10.
-bool isBefore(const QString &a, const QString &b) {
+bool isNameBefore(const QString &a, const QString &b) {
     qsizetype i = 0;
     qsizetype j = 0;
     const auto isDigit = [](QChar character) { return character >= QLatin1Char('0') && character <= QLatin1Char('9'); };
@@ -62,7 +62,7 @@ std::vector<Level> levelsIn(const QString &folder) {
     std::vector<Level> levels;
     if (folder.isEmpty()) return levels;
     QStringList names = fileNamesIn(folder);
-    std::sort(names.begin(), names.end(), isBefore);
+    std::sort(names.begin(), names.end(), isNameBefore);
     for (const QString &name : names) {
         const QString path = folder + QLatin1Char('/') + name;
         if (name.endsWith(kSuffix) && isMaze(path)) levels.push_back(levelOfFile(path));

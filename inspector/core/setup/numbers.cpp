@@ -160,7 +160,7 @@ QString withUnit(double value, const QString &unit) {
     return unit.isEmpty() ? number : number + QLatin1Char(' ') + printedUnit(unit);
 }
 
-QString expectedOf(const NumberRange &range, const QString &what) {
+QString expectedNumber(const NumberRange &range, const QString &what) {
     const bool hasMin = std::isfinite(range.min);
     const bool hasMax = std::isfinite(range.max);
     if (hasMin && hasMax)
@@ -192,12 +192,12 @@ QString printedUnit(const QString &unit) {
 
 NumberReading readNumber(const QString &text, const NumberRange &range) {
     const Amount amount = amountOf(text, range.unit);
-    return within(range, amount, expectedOf(range, QStringLiteral("a number")), text);
+    return within(range, amount, expectedNumber(range, QStringLiteral("a number")), text);
 }
 
 NumberReading readWholeNumber(const QString &text, const NumberRange &range) {
     const Amount amount = amountOf(text, range.unit);
-    const QString expected = expectedOf(range, QStringLiteral("a whole number"));
+    const QString expected = expectedNumber(range, QStringLiteral("a whole number"));
     if (text.contains(QLatin1Char('%')))
         return refusal(expected, text, QStringLiteral("which is a share of something"));
     if (amount.value && *amount.value != std::floor(*amount.value)) return refusal(expected, text, {});

@@ -13,7 +13,7 @@ namespace inspector {
 namespace {
 
 /// Tolerance as a share of a step: 30 steps of 0.01 s are 0.3 s.
-constexpr double kRounding = 1e-6;
+constexpr double kPauseRounding = 1e-6;
 
 double timeOfLeaving(const phys_state &state) {
     return state.flags & PHYS_OUT ? state.time : std::numeric_limits<double>::infinity();
@@ -44,7 +44,7 @@ void LiveRun::step(Clock::time_point due) {
     }
     m_presentation.noteStep(stepTime);
     noteLeaving();
-    if (m_engine.state().time >= m_pauseAt - kRounding * m_engine.dt()) m_presentation.setRunning(false);
+    if (m_engine.state().time >= m_pauseAt - kPauseRounding * m_engine.dt()) m_presentation.setRunning(false);
     m_presentation.publish(due);
 }
 

@@ -11,9 +11,10 @@ namespace inspector {
 namespace {
 
 /// One run: its state and the reports of its steps.
-class Run {
+class RollingRun {
 public:
-    Run(phys_stepper *stepper, const BoardParameters &board, const phys_state &state, std::vector<TrackBounce> *bounces)
+    RollingRun(phys_stepper *stepper, const BoardParameters &board, const phys_state &state,
+               std::vector<TrackBounce> *bounces)
         : m_stepper(stepper)
         , m_board(board)
         , m_params(board.params)
@@ -82,7 +83,7 @@ BallModel::BallModel(const Registry &registry, const Scene &scene, const Track &
 
 bool BallModel::run(const BoardParameters &board, const BallStart &start, size_t first, size_t last,
                     std::vector<TrackPoint> &measured, std::vector<TrackBounce> *bounces) const {
-    Run run(m_stepper.get(), board, rollingState(m_scene.get(), start), bounces);
+    RollingRun run(m_stepper.get(), board, rollingState(m_scene.get(), start), bounces);
     double time = m_track.points[first].time;
     // The last change that has taken effect; the first change's tilt also applies before it.
     size_t change = size_t(std::upper_bound(m_tilts.begin(), m_tilts.end(), time - board.delay,

@@ -10,10 +10,10 @@ namespace inspector {
 
 namespace {
 
-constexpr double kJoined = 2.5;    ///< periods: a larger distance is a gap
-constexpr size_t kAround = 2;      ///< points on either side used for a velocity
-constexpr double kRounding = 1e-9; ///< s
-constexpr double kSoonAfter = 1.0; ///< s
+constexpr double kJoined = 2.5;        ///< periods: a larger distance is a gap
+constexpr size_t kAround = 2;          ///< points on either side used for a velocity
+constexpr double kTiltRounding = 1e-9; ///< s
+constexpr double kSoonAfter = 1.0;     ///< s
 
 } // namespace
 
@@ -55,7 +55,7 @@ std::optional<ShownTrack::Place> ShownTrack::at(double time) const {
 
 /// A switch at either end, up to rounding, doesn't count as being between.
 Tilt ShownTrack::tiltBetween(double begin, double end) const {
-    auto next = std::upper_bound(m_tilts.begin(), m_tilts.end(), begin + kRounding,
+    auto next = std::upper_bound(m_tilts.begin(), m_tilts.end(), begin + kTiltRounding,
                                  [](double now, const TiltChange &change) { return now < change.time; });
     Tilt now = next == m_tilts.begin() ? m_tilts.front().tilt : std::prev(next)->tilt;
     double from = begin;
@@ -64,7 +64,7 @@ Tilt ShownTrack::tiltBetween(double begin, double end) const {
         sum = {sum.x + now.x * (to - from), sum.y + now.y * (to - from)};
         from = to;
     };
-    for (; next != m_tilts.end() && next->time < end - kRounding; ++next) {
+    for (; next != m_tilts.end() && next->time < end - kTiltRounding; ++next) {
         addUntil(next->time);
         now = next->tilt;
     }

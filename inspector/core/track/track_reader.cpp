@@ -23,19 +23,19 @@ constexpr int kToldRows = 5;          ///< unusable rows that are listed
 constexpr double kGap = 3.5;          ///< times the median period
 constexpr double kLargestTilt = 89.0; ///< degrees
 
-struct Unit {
+struct UnitScale {
     const char *name;
     double scale;
 };
 
-constexpr std::array<Unit, 4> kTimes{{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60.0}}};
-constexpr std::array<Unit, 5> kLengths{{{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}}};
-constexpr std::array<Unit, 3> kAngles{{{"rad", 1.0}, {"deg", 0.017453292519943295}, {"mrad", 1e-3}}};
-constexpr std::array<Unit, 2> kAccelerations{{{"m/s^2", 1.0}, {"g", 9.80665}}};
+constexpr std::array<UnitScale, 4> kTimes{{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60.0}}};
+constexpr std::array<UnitScale, 5> kLengths{{{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}}};
+constexpr std::array<UnitScale, 3> kAngles{{{"rad", 1.0}, {"deg", 0.017453292519943295}, {"mrad", 1e-3}}};
+constexpr std::array<UnitScale, 2> kAccelerations{{{"m/s^2", 1.0}, {"g", 9.80665}}};
 
 template<size_t n>
-std::optional<double> scaleOf(const std::array<Unit, n> &units, const QString &name) {
-    for (const Unit &unit : units)
+std::optional<double> scaleOf(const std::array<UnitScale, n> &units, const QString &name) {
+    for (const UnitScale &unit : units)
         if (name == QLatin1String(unit.name)) return unit.scale;
     return std::nullopt;
 }
@@ -74,7 +74,7 @@ const std::map<QString, Quantity> &names() {
     return all;
 }
 
-struct Column {
+struct QuantityColumn {
     qsizetype place;
     double scale;
 };
@@ -115,7 +115,7 @@ public:
 
     /// In SI; nothing if the field isn't a number.
     std::optional<double> value(const QStringList &fields, Quantity quantity) const {
-        const Column &column = m_columns.at(quantity);
+        const QuantityColumn &column = m_columns.at(quantity);
         if (column.place >= fields.size()) return std::nullopt;
         const std::optional<double> number = numberOf(fields[column.place], m_separator != QLatin1Char(','));
         return number ? std::optional(*number * column.scale) : std::nullopt;
@@ -189,7 +189,7 @@ private:
 
     TrackUnits m_units;
     QChar m_separator;
-    std::map<Quantity, Column> m_columns;
+    std::map<Quantity, QuantityColumn> m_columns;
     bool m_isOwnTable = false;
     QString m_problem;
 };
@@ -325,7 +325,7 @@ private:
 // ---- the words of --track-units; each function returns false, and changes nothing, if the text is no value ----
 
 template<size_t n>
-bool readScale(const std::array<Unit, n> &units, const QString &text, double &scale) {
+bool readScale(const std::array<UnitScale, n> &units, const QString &text, double &scale) {
     const std::optional<double> read = scaleOf(units, text);
     if (read) scale = *read;
     return read.has_value();

@@ -18,7 +18,7 @@ namespace inspector {
 namespace {
 
 /// A quantity that can be unknown: how its amount is read, and how it varies a board.
-struct Quantity {
+struct UnknownQuantity {
     QString id;
     QString unit;
     double largest; ///< amount, in the unit
@@ -35,7 +35,7 @@ double deviation(const Unknown &unknown, double value) {
     return unknown.isShare ? unknown.amount * std::abs(value) : unknown.amount;
 }
 
-Quantity quantityOf(const phys_param_row &row) {
+UnknownQuantity quantityOf(const phys_param_row &row) {
     return {
         QString::fromUtf8(row.id),
         QString::fromUtf8(row.unit),
@@ -48,10 +48,10 @@ Quantity quantityOf(const phys_param_row &row) {
         }};
 }
 
-std::vector<Quantity> makeQuantities() {
+std::vector<UnknownQuantity> makeQuantities() {
     using Next = const std::function<double()> &;
     const std::vector<phys_param_row> &ofBoard = boardRows(); // tilt x, tilt y, gravity
-    std::vector<Quantity> result{
+    std::vector<UnknownQuantity> result{
         {"tilt", QStringLiteral("deg"), ofBoard[0].max, 1.0, false,
          [](SampledBoard &board, const Inputs &, const Unknown &unknown, Next next) {
              board.tiltOffset.x += radians(unknown.amount) * next();
@@ -82,25 +82,25 @@ std::vector<Quantity> makeQuantities() {
     return result;
 }
 
-const std::vector<Quantity> &quantities() {
-    static const std::vector<Quantity> all = makeQuantities();
+const std::vector<UnknownQuantity> &quantities() {
+    static const std::vector<UnknownQuantity> all = makeQuantities();
     return all;
 }
 
-const Quantity *find(const QString &id) {
-    const auto found =
-        std::find_if(quantities().begin(), quantities().end(), [&](const Quantity &one) { return one.id == id; });
+const UnknownQuantity *find(const QString &id) {
+    const auto found = std::find_if(quantities().begin(), quantities().end(),
+                                    [&](const UnknownQuantity &one) { return one.id == id; });
     return found == quantities().end() ? nullptr : &*found;
 }
 
-QString names() {
+QString unknownNames() {
     QStringList names;
-    for (const Quantity &one : quantities()) names += one.id;
+    for (const UnknownQuantity &one : quantities()) names += one.id;
     return names.join(QStringLiteral(", "));
 }
 
 /// Nothing, with one line in `error`, if it can't be read. A share above 100 % would reach beyond 0.
-std::optional<Unknown> parseAmount(const Quantity &quantity, const QString &text, QString *error) {
+std::optional<Unknown> parseAmount(const UnknownQuantity &quantity, const QString &text, QString *error) {
     const bool isShare = quantity.hasShare && text.endsWith(QLatin1Char('%'));
     const NumberRange range =
         isShare ? NumberRange{0.0, 100.0, QStringLiteral("%")} : NumberRange{0.0, quantity.largest, quantity.unit};
@@ -126,9 +126,10 @@ std::optional<Unknowns> parseUnknowns(const QString &words, QString *error) {
     if (words == QLatin1String("none")) return result;
     for (const QString &word : words.split(QLatin1Char(','))) {
         const QString id = word.section(QLatin1Char('='), 0, 0).trimmed().replace(QLatin1Char('-'), QLatin1Char('_'));
-        const Quantity *quantity = find(id);
+        const UnknownQuantity *quantity = find(id);
         if (!quantity) {
-            *error = QStringLiteral("expected one of %1, or none; found %2").arg(names(), foundText(id.left(60)));
+            *error =
+                QStringLiteral("expected one of %1, or none; found %2").arg(unknownNames(), foundText(id.left(60)));
             return std::nullopt;
         }
         const std::optional<Unknown> unknown =
@@ -149,7 +150,7 @@ QString unknownsText(const Unknowns &unknowns) {
     if (unknowns.empty()) return QStringLiteral("none");
     QStringList words;
     for (const Unknown &unknown : unknowns) {
-        const Quantity &quantity = *find(unknown.id);
+        const UnknownQuantity &quantity = *find(unknown.id);
         words +=
             unknown.isShare
                 ? QStringLiteral("%1=%2%").arg(unknown.id).arg(unknown.amount * 100.0)

@@ -16,7 +16,7 @@ using namespace bench;
 namespace {
 
 // A few roundings of coordinates of about a metre.
-constexpr double kRounding = 1e-15;
+constexpr double kReferenceRounding = 1e-15;
 
 Scene sceneOf(std::vector<Wall> walls, double radius, const Ball &start, double restitution, const Vec2 &acceleration,
               double duration) {
@@ -75,8 +75,8 @@ private slots:
         const Ball ball = lastBall(scene);
         const Vec2 at{hit + later * hitVelocity.x,
                       0.2 * hit - hit * hit / 2 + later * hitVelocity.y - later * later / 2};
-        QVERIFY(distance(ball.position, at) < kRounding);
-        QVERIFY(distance(ball.velocity, {hitVelocity.x, hitVelocity.y - later}) < 10 * kRounding);
+        QVERIFY(distance(ball.position, at) < kReferenceRounding);
+        QVERIFY(distance(ball.velocity, {hitVelocity.x, hitVelocity.y - later}) < 10 * kReferenceRounding);
     }
 
     // model.md 6.4: 0.6 m/s, 0.5 m/s^2 into the wall and restitution 0.8 end bouncing after 12 s.
@@ -88,7 +88,7 @@ private slots:
                    0.25;
         };
         QVERIFY(heightAt(11.99) > 0);
-        QVERIFY(std::abs(heightAt(12.01)) < kRounding);
+        QVERIFY(std::abs(heightAt(12.01)) < kReferenceRounding);
     }
 
     // model.md 6.2: from rest near the top of an edge a ball leaves at cos(theta) = 2/3 cos(theta0).
@@ -104,9 +104,9 @@ private slots:
         double lastTouching = 0;
         for (const Ball &ball : eventDriven<long double>(scene).balls) {
             const double speed2 = ball.velocity.x * ball.velocity.x + ball.velocity.y * ball.velocity.y;
-            QVERIFY(std::abs(speed2 / 2 + ball.position.y - energy) < kRounding);
+            QVERIFY(std::abs(speed2 / 2 + ball.position.y - energy) < kReferenceRounding);
             const double gap = std::hypot(ball.position.x, ball.position.y) - radius;
-            if (gap < kRounding)
+            if (gap < kReferenceRounding)
                 lastTouching = std::atan2(ball.position.x, ball.position.y);
             else
                 QVERIFY(std::atan2(ball.position.x, ball.position.y) > leave);

@@ -118,8 +118,8 @@ void OutOfMemory::loadingAPlugin() {
     const uint32_t builtIn = phys_registry_count(registry);
     QByteArray problem;
     const long count =
-        allocationsUntilSuccess({[&](phys_error *err) { return phys_registry_load_file(registry, PLUGIN, err); }, [] {},
-                                 [&] { return phys_registry_count(registry) == builtIn; }},
+        allocationsUntilSuccess({[&](phys_error *err) { return phys_registry_load_file(registry, GOOD_PLUGIN, err); },
+                                 [] {}, [&] { return phys_registry_count(registry) == builtIn; }},
                                 problem);
     QVERIFY2(problem.isEmpty(), problem + " at allocation " + QByteArray::number(-count));
     QVERIFY(count > 2);
@@ -130,7 +130,7 @@ void OutOfMemory::loadingAPlugin() {
 void OutOfMemory::scanningAFolder() {
     phys_registry *registry = nullptr;
     QCOMPARE(phys_registry_create(&registry, nullptr), PHYS_OK);
-    const Maker scan{[&](phys_error *err) { return phys_registry_scan(registry, PLUGINS, nullptr, nullptr, err); },
+    const Maker scan{[&](phys_error *err) { return phys_registry_scan(registry, GOOD_PLUGINS, nullptr, nullptr, err); },
                      [] {},
                      {}}; // files that were loaded before memory ran out stay loaded
     long allowed = 0;

@@ -22,7 +22,7 @@
 namespace {
 
 constexpr int kSteps = 400;
-constexpr double kDt = 0.004;
+constexpr double kHostDt = 0.004;
 
 support::ScenePtr level(int number) {
     phys_scene *scene = nullptr;
@@ -32,7 +32,7 @@ support::ScenePtr level(int number) {
 }
 
 /// Scenes of all kinds: a level, an empty scene, a start beside the floor, a room without a floor, a start in the air.
-std::vector<support::ScenePtr> scenes() {
+std::vector<support::ScenePtr> scenesOfAllKinds() {
     std::vector<support::ScenePtr> all;
     all.push_back(level(3));
     all.push_back(support::SceneBuilder().build());
@@ -61,8 +61,8 @@ std::vector<uint64_t> use(const phys_scene *scene, const QByteArray &id, uint32_
     for (int step = 0; step < kSteps; ++step) {
         const double lean = 0.02 * (step / 40 % 5 - 2);
         phys_gravity_from_tilt(lean, -0.5 * lean, 9.81, &params.gravity);
-        phys_stepper_requirements(stepper.get(), &params, kDt, &state, &requirements, nullptr);
-        const phys_status status = phys_step(stepper.get(), &params, kDt, &state, &state, &report, nullptr);
+        phys_stepper_requirements(stepper.get(), &params, kHostDt, &state, &requirements, nullptr);
+        const phys_status status = phys_step(stepper.get(), &params, kHostDt, &state, &state, &report, nullptr);
         double energy = 0.0;
         phys_contact contacts[8];
         uint32_t count = 0;
@@ -139,7 +139,7 @@ size_t stackUsedBy(void *(*work)(void *)) {
     return kRoom - untouched;
 }
 
-using Setting = std::function<bool()>; ///< false: not on this system
+using HostSetting = std::function<bool()>; ///< false: not on this system
 
 bool round(int direction) { return std::fesetround(direction) == 0; }
 
@@ -182,16 +182,16 @@ class HostsTest : public QObject {
 
 private slots:
     void everySettingGivesTheSameBitsAndIsKept_data() {
-        QTest::addColumn<Setting>("set");
-        QTest::newRow("rounds up") << Setting([] { return round(FE_UPWARD); });
-        QTest::newRow("rounds down") << Setting([] { return round(FE_DOWNWARD); });
-        QTest::newRow("rounds to zero") << Setting([] { return round(FE_TOWARDZERO); });
-        QTest::newRow("flushes subnormals") << Setting(flushSubnormals);
-        QTest::newRow("traps exceptions") << Setting(trap);
+        QTest::addColumn<HostSetting>("set");
+        QTest::newRow("rounds up") << HostSetting([] { return round(FE_UPWARD); });
+        QTest::newRow("rounds down") << HostSetting([] { return round(FE_DOWNWARD); });
+        QTest::newRow("rounds to zero") << HostSetting([] { return round(FE_TOWARDZERO); });
+        QTest::newRow("flushes subnormals") << HostSetting(flushSubnormals);
+        QTest::newRow("traps exceptions") << HostSetting(trap);
     }
     void everySettingGivesTheSameBitsAndIsKept() {
-        QFETCH(Setting, set);
-        for (const support::ScenePtr &scene : scenes()) {
+        QFETCH(HostSetting, set);
+        for (const support::ScenePtr &scene : scenesOfAllKinds()) {
             for (const QByteArray &stepper : support::stepperIds()) {
                 for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
                     for (const double speed : {0.5, 1e-300}) {
@@ -227,7 +227,7 @@ private slots:
         QFETCH(QByteArray, stepper);
         QFETCH(uint32_t, model);
         std::feclearexcept(FE_ALL_EXCEPT);
-        for (const support::ScenePtr &scene : scenes()) {
+        for (const support::ScenePtr &scene : scenesOfAllKinds()) {
             for (const double speed : {0.0, 0.5, 1e-300}) {
                 use(scene.get(), stepper, model, speed);
                 QVERIFY2(!std::fetestexcept(FE_INVALID), qPrintable(QStringLiteral("at %1 m/s").arg(speed)));
@@ -242,7 +242,7 @@ private slots:
         QSKIP("sanitizers make the frames larger");
 #endif
         const auto work = [](void *) -> void * {
-            std::vector<support::ScenePtr> all = scenes();
+            std::vector<support::ScenePtr> all = scenesOfAllKinds();
             all.push_back(support::SceneBuilder()
                               .ball(0.006)
                               .start({-0.05, -0.05, 0.006})

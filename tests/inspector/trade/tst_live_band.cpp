@@ -41,7 +41,7 @@ private:
 
 namespace {
 
-constexpr int kPatience = 60000; // ms
+constexpr int kBandPatience = 60000; // ms
 
 } // namespace
 
@@ -65,7 +65,7 @@ void TestLiveBand::roll(int segments, double length, Tilt tilt) {
 
 Band TestLiveBand::bandUntil(double time) {
     const auto isThere = [&] { return m_band->latest() && m_band->latest()->times.back() >= time - 1e-9; };
-    if (!QTest::qWaitFor(isThere, kPatience)) qFatal("no band until %g s", time);
+    if (!QTest::qWaitFor(isThere, kBandPatience)) qFatal("no band until %g s", time);
     return *m_band->latest();
 }
 

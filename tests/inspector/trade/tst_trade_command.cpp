@@ -45,7 +45,7 @@ private:
 
 namespace {
 
-struct Result {
+struct CommandResult {
     int status;
     QString out, messages;
     QString progress; // as the terminal gets it
@@ -53,10 +53,10 @@ struct Result {
 };
 
 // A short measurement; times aren't tested.
-Result runOf(const QString &words) {
+CommandResult runOf(const QString &words) {
     const CommandLine line = parseCommandLine(("physics-inspector " + words).split(' '));
     if (line.exitStatus) return {*line.exitStatus, {}, line.error, {}, {}};
-    Result result{};
+    CommandResult result{};
     QTextStream out(&result.out);
     QTextStream messages(&result.messages);
     QTextStream progress(&result.progress);
@@ -125,7 +125,7 @@ void TestTradeCommand::wrongUseIsOneLine_data() {
 void TestTradeCommand::wrongUseIsOneLine() {
     QFETCH(QString, words);
     QFETCH(QString, line);
-    const Result result = runOf(words);
+    const CommandResult result = runOf(words);
     QCOMPARE(result.status, 2);
     QCOMPARE(result.messages, "physics-inspector: " + line + '\n');
 }
@@ -143,7 +143,7 @@ void TestTradeCommand::tradeNeedsNoWindow() {
 }
 
 void TestTradeCommand::lastLineIsTheRecommendation() {
-    const Result result =
+    const CommandResult result =
         runOf("--trade 1 --schedule random:3 --duration 0.5 --steps 0.05,0.01 --unknown tilt=0.1deg --under 10R");
     QVERIFY2(result.status == 0, qPrintable(result.messages));
     const QStringList lines = result.out.trimmed().split('\n');
@@ -171,7 +171,7 @@ void TestTradeCommand::progressIsShownFromTheStart() {
 }
 
 void TestTradeCommand::unreachableToleranceGivesStatus1() {
-    const Result result =
+    const CommandResult result =
         runOf("--trade 1 --schedule random:3 --duration 0.5 --steps 0.01 --unknown none --within 0.002us");
     QCOMPARE(result.status, 1);
     QVERIFY2(result.out.endsWith("recommended: none: no step takes 2 ns or less\n"), qPrintable(result.out));
@@ -189,7 +189,7 @@ void TestTradeCommand::csvHeaderStaysAsItIs() {
 
 void TestTradeCommand::csvHasARowForEachPoint() {
     const QString path = m_folder.filePath("trade.csv");
-    const Result result = runOf(kShort + "--csv " + path);
+    const CommandResult result = runOf(kShort + "--csv " + path);
     QVERIFY2(result.messages.isEmpty(), qPrintable(result.messages));
     QByteArrayList lines = contentOf(path).trimmed().split('\n');
     QCOMPARE(lines.size(), 1 + qsizetype(phys_registry_count(nullptr)) * 2 * 2); // steps, models
@@ -209,7 +209,7 @@ void TestTradeCommand::fileBesideTheTableTellsWhatWasMeasured() {
 
 void TestTradeCommand::svgIsWellFormedAndNamesEveryStepper() {
     const QString path = m_folder.filePath("trade.svg");
-    const Result result = runOf(kShort + "--plot " + path);
+    const CommandResult result = runOf(kShort + "--plot " + path);
     QVERIFY2(result.messages.isEmpty(), qPrintable(result.messages));
     QXmlStreamReader xml(contentOf(path));
     QStringList texts;
@@ -246,14 +246,14 @@ void TestTradeCommand::whatCantBeOpenedGivesStatus2_data() {
 void TestTradeCommand::whatCantBeOpenedGivesStatus2() {
     QFETCH(QString, words);
     QFETCH(QString, part);
-    const Result result = runOf(words);
+    const CommandResult result = runOf(words);
     QCOMPARE(result.status, 2);
     QVERIFY2(result.messages.contains(part) && result.messages.count('\n') == 1, qPrintable(result.messages));
     QVERIFY(result.out.isEmpty());
 }
 
 void TestTradeCommand::unwritableFileIsToldBeforeAnythingIsMeasured() {
-    const Result result = runOf(kShort + "--csv /nowhere/trade.csv");
+    const CommandResult result = runOf(kShort + "--csv /nowhere/trade.csv");
     QCOMPARE(result.status, 2);
     QVERIFY2(result.messages.startsWith("physics-inspector: --csv: '/nowhere/trade.csv': No such file"),
              qPrintable(result.messages));

@@ -44,13 +44,13 @@ private:
 namespace {
 
 constexpr double kGravity = 9.81;
-constexpr double kTilt = 0.02; // rad
-constexpr double kRadius = 0.006;
+constexpr double kErrorTilt = 0.02; // rad
+constexpr double kErrorRadius = 0.006;
 constexpr double kDuration = 1.5; // s
 
 // Straight along x; without friction a rolling ball moves by 5/14 g sin(tilt) t^2 (model.md 2.1).
-TiltSchedule oneTilt() { return {"tilt", {{0.0, {kTilt, 0.0}}}, kDuration}; }
-double acceleration() { return 5.0 / 7.0 * kGravity * std::sin(kTilt); }
+TiltSchedule oneTilt() { return {"tilt", {{0.0, {kErrorTilt, 0.0}}}, kDuration}; }
+double slideAcceleration() { return 5.0 / 7.0 * kGravity * std::sin(kErrorTilt); }
 
 // A room with a pillar in the middle and the ball in a corner.
 Scene pillarRoom() {
@@ -68,7 +68,7 @@ Scene pillarRoom() {
     phys_scene_desc_init(&description, sizeof description);
     description.boxes = boxes.data();
     description.box_count = uint32_t(boxes.size());
-    description.start = {-0.03, -0.035, kRadius};
+    description.start = {-0.03, -0.035, kErrorRadius};
     QString error;
     return makeScene(description, &error);
 }
@@ -139,7 +139,7 @@ void TestTradeErrors::withoutOrientationNoTurnIsCompared() {
 // Twice the tilt gives twice the error; half the time a quarter of the distance and half the error of Euler.
 void TestTradeErrors::errorsAreTheWorstOfTheSchedules() {
     TradePlan both = plan(openFloor(), oneTilt(), {0.05});
-    both.schedules.push_back({"short", {{0.0, {2.0 * kTilt, 0.0}}}, 0.5 * kDuration});
+    both.schedules.push_back({"short", {{0.0, {2.0 * kErrorTilt, 0.0}}}, 0.5 * kDuration});
     const TradeResult result = measured(both);
     const TradePoint &point = find(result, "symplectic-euler", 0.05);
     QCOMPARE(point.errors.size(), size_t(2));
@@ -167,7 +167,7 @@ void TestTradeErrors::eulerIsWrongByHalfAStepOfTheVelocity() {
     QFETCH(double, dt);
     const TradeResult result = measured(plan(openFloor(), oneTilt(), {dt}));
     const TradePoint &point = find(result, stepper, dt);
-    const double expected = 0.5 * acceleration() * kDuration * dt / kRadius;
+    const double expected = 0.5 * slideAcceleration() * kDuration * dt / kErrorRadius;
     const double rounding = 1e-12; // of some hundred additions of numbers of order 100 R
     COMPARE_WITHIN(point.error.positionFinal, expected, rounding * 100.0);
     COMPARE_WITHIN(point.error.positionLargest, expected, rounding * 100.0);
@@ -179,13 +179,13 @@ void TestTradeErrors::errorGrowsAsTheRecordsTell() {
     const TradeResult result = measured(plan(openFloor(), oneTilt(), {0.01}));
     const TradePoint &point = find(result, "symplectic-euler", 0.01);
     for (const double time : {0.25, 0.5, 1.0})
-        COMPARE_WITHIN(errorUntil(point, time + 1e-9), 0.5 * acceleration() * time * 0.01 / kRadius, 1e-10);
+        COMPARE_WITHIN(errorUntil(point, time + 1e-9), 0.5 * slideAcceleration() * time * 0.01 / kErrorRadius, 1e-10);
 }
 
 // a t dt / 2 passes R / 10 at t = 0.857 s for a step of 10 ms; compared after each step.
 void TestTradeErrors::timeUntilWrongIsWhenTheErrorPasses() {
     const TradeResult result = measured(plan(openFloor(), oneTilt(), {0.01}));
-    const double passes = 0.2 * kRadius / (acceleration() * 0.01);
+    const double passes = 0.2 * kErrorRadius / (slideAcceleration() * 0.01);
     const TradePoint &point = find(result, "symplectic-euler", 0.01);
     QVERIFY(point.error.timeUntilWrong.has_value());
     COMPARE_WITHIN(*point.error.timeUntilWrong, 0.01 * std::ceil(passes / 0.01), 1e-9);

@@ -14,21 +14,21 @@ using namespace support;
 
 namespace {
 
-constexpr char kGood[] = "physics-maze 1\n"
-                         "units m\n"
-                         "generator by hand\n"
-                         "ball 0.0625\n"
-                         "start 0.5 0.25 0.0625\n"
-                         "box -1 -2 -0.5 3 4 0\n";
+constexpr char kGoodMaze[] = "physics-maze 1\n"
+                             "units m\n"
+                             "generator by hand\n"
+                             "ball 0.0625\n"
+                             "start 0.5 0.25 0.0625\n"
+                             "box -1 -2 -0.5 3 4 0\n";
 
 /// The good file with line `number` (from 1) replaced.
 QByteArray withLine(int number, const QByteArray &line) {
-    QList<QByteArray> lines = QByteArray(kGood).split('\n');
+    QList<QByteArray> lines = QByteArray(kGoodMaze).split('\n');
     lines[number - 1] = line;
     return lines.join('\n');
 }
 
-QByteArray without(const QByteArray &line) { return QByteArray(kGood).replace(line + "\n", ""); }
+QByteArray without(const QByteArray &line) { return QByteArray(kGoodMaze).replace(line + "\n", ""); }
 
 } // namespace
 
@@ -78,7 +78,7 @@ ScenePtr TestMazeFiles::load(const QByteArray &content) {
 }
 
 void TestMazeFiles::goodFileIsReadAsWritten() {
-    const ScenePtr scene = load(kGood);
+    const ScenePtr scene = load(kGoodMaze);
     QVERIFY2(scene, m_error.text);
     COMPARE_EXACT(phys_scene_radius(scene.get()), 0.0625);
     QCOMPARE(phys_scene_box_count(scene.get()), 1U);
@@ -92,14 +92,15 @@ void TestMazeFiles::goodFileIsReadAsWritten() {
 void TestMazeFiles::spellingsOfAGoodFileAreEqual_data() {
     QTest::addColumn<QByteArray>("content");
     QTest::newRow("comments and empty lines")
-        << QByteArray("# a maze\n\n") + QByteArray(kGood).replace("units m", "units m # metres");
-    QTest::newRow("tabs and blanks") << QByteArray(kGood).replace(" ", " \t ");
-    QTest::newRow("carriage returns") << QByteArray(kGood).replace("\n", "\r\n");
-    QTest::newRow("no newline at the end") << QByteArray(kGood).chopped(1);
+        << QByteArray("# a maze\n\n") + QByteArray(kGoodMaze).replace("units m", "units m # metres");
+    QTest::newRow("tabs and blanks") << QByteArray(kGoodMaze).replace(" ", " \t ");
+    QTest::newRow("carriage returns") << QByteArray(kGoodMaze).replace("\n", "\r\n");
+    QTest::newRow("no newline at the end") << QByteArray(kGoodMaze).chopped(1);
     QTest::newRow("exponents") << withLine(6, "box -1e0 -2 -5e-1 3 0.4E1 0");
     QTest::newRow("no zero before or behind a point") << withLine(6, "box -1. -2 -.5 3. 4 0E+1");
-    QTest::newRow("items repeated") << QByteArray(kGood) + "units m\ngenerator again\n";
-    QTest::newRow("any bytes in comments") << QByteArray(kGood) + QByteArray("# \xff\xfe\0\n", 6) + "generator \xff";
+    QTest::newRow("items repeated") << QByteArray(kGoodMaze) + "units m\ngenerator again\n";
+    QTest::newRow("any bytes in comments")
+        << QByteArray(kGoodMaze) + QByteArray("# \xff\xfe\0\n", 6) + "generator \xff";
     QTest::newRow("another order") << QByteArray(
         "physics-maze 1\nbox -1 -2 -0.5 3 4 0\nstart 0.5 0.25 0.0625\nball 0.0625\nunits m\n");
     QTest::newRow("no generator") << without("generator by hand");
@@ -257,10 +258,10 @@ void TestMazeFiles::whatTheSystemMakesUpIsAnEmptyFile() {
 }
 
 void TestMazeFiles::textInMemoryGivesTheSceneOfTheFile() {
-    const ScenePtr file = load(kGood);
+    const ScenePtr file = load(kGoodMaze);
     QVERIFY2(file, m_error.text);
     phys_scene *parsed = nullptr;
-    QCOMPARE(phys_scene_parse(kGood, sizeof kGood - 1, nullptr, &parsed, nullptr), PHYS_OK);
+    QCOMPARE(phys_scene_parse(kGoodMaze, sizeof kGoodMaze - 1, nullptr, &parsed, nullptr), PHYS_OK);
     const ScenePtr scene(parsed);
     QCOMPARE(phys_scene_radius(scene.get()), phys_scene_radius(file.get()));
     QCOMPARE(phys_scene_box_count(scene.get()), phys_scene_box_count(file.get()));
@@ -309,7 +310,7 @@ void TestMazeFiles::binaryRubbishIsRefused() {
     rubbish.replace('\n', 'x');
     QVERIFY(!load(rubbish));
     QCOMPARE(m_status, PHYS_ERROR_SYNTAX);
-    QVERIFY(!load(QByteArray(kGood) + rubbish));
+    QVERIFY(!load(QByteArray(kGoodMaze) + rubbish));
     QCOMPARE(m_status, PHYS_ERROR_SYNTAX);
 }
 

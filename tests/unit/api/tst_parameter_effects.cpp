@@ -15,12 +15,12 @@ using namespace support;
 
 namespace {
 
-constexpr double kDt = 1.0 / 256.0;
+constexpr double kEffectDt = 1.0 / 256.0;
 
-SceneBuilder leftWall() { return openFloor(10.0).wall(-5, -10, 0, 10).start(0.5, 0.0); }
+SceneBuilder wallAtTheLeft() { return openFloor(10.0).wall(-5, -10, 0, 10).start(0.5, 0.0); }
 
 /// The result of a run with one parameter at a value; NaN if a step failed.
-using Outcome = std::function<double(Experiment &)>;
+using Figure = std::function<double(Experiment &)>;
 
 struct Effect {
     const char *row;
@@ -28,11 +28,11 @@ struct Effect {
     uint32_t model;
     double low, high; ///< two values of the parameter
     int direction;    ///< +1: the outcome grows with the parameter; -1: it shrinks; 0: it must not change at all
-    Outcome outcome;
+    Figure outcome;
 };
 
 double runFor(Experiment &ball, double duration, double phys_vec3::*component, phys_vec3 phys_state::*member) {
-    return ball.stepFor(duration, kDt) ? ball.state.*member.*component : NAN;
+    return ball.stepFor(duration, kEffectDt) ? ball.state.*member.*component : NAN;
 }
 
 double speedBackFromTheWall(Experiment &ball) {
@@ -45,7 +45,7 @@ double heightOfABounce(Experiment &ball) {
     double highest = 0.0;
     bool landed = false;
     for (int i = 0; i < 256; ++i) {
-        if (!ball.step(kDt)) return NAN;
+        if (!ball.step(kEffectDt)) return NAN;
         landed = landed || ball.state.velocity.z > 0.0 || !(ball.state.flags & PHYS_AIRBORNE);
         if (landed) highest = std::max(highest, ball.state.position.z);
     }
@@ -60,16 +60,16 @@ double wayUntilItStops(Experiment &ball) {
 double timeUntilItRolls(Experiment &ball) {
     ball.state.velocity = {0.5, 0.0, 0.0};
     for (int i = 0; i < 2000; ++i) {
-        if (!ball.step(kDt)) return NAN;
+        if (!ball.step(kEffectDt)) return NAN;
         if (!(ball.state.flags & PHYS_SLIPPING)) return ball.state.time;
     }
     return NAN;
 }
 
 double liftAtAWall(Experiment &ball) {
-    ball.setPosition(0.0625 + kDt / 2.0, 0.0);
+    ball.setPosition(0.0625 + kEffectDt / 2.0, 0.0);
     ball.roll(-1.0, 0.5);
-    return runFor(ball, kDt, &phys_vec3::z, &phys_state::velocity);
+    return runFor(ball, kEffectDt, &phys_vec3::z, &phys_state::velocity);
 }
 
 double speedAlongX(Experiment &ball) { return runFor(ball, 0.5, &phys_vec3::x, &phys_state::velocity); }
@@ -145,7 +145,7 @@ void TestParameterEffects::parameterHasItsEffect() {
     QVERIFY(row);
     double outcomes[2] = {};
     for (const int i : {0, 1}) {
-        Experiment ball(leftWall(), stepper, expected.model);
+        Experiment ball(wallAtTheLeft(), stepper, expected.model);
         ball.params.rolling_friction = 0.005;
         QCOMPARE(phys_param_set(&ball.params, row, i == 0 ? expected.low : expected.high, nullptr), PHYS_OK);
         outcomes[i] = expected.outcome(ball);
@@ -174,16 +174,17 @@ void TestParameterEffects::effectNeedsNoReport() {
     QFETCH(QByteArray, stepper);
     QFETCH(int, effect);
     const Effect &expected = kEffects[static_cast<size_t>(effect)];
-    Experiment reported(leftWall(), stepper, expected.model);
-    Experiment silent(leftWall(), stepper, expected.model);
+    Experiment reported(wallAtTheLeft(), stepper, expected.model);
+    Experiment silent(wallAtTheLeft(), stepper, expected.model);
     for (Experiment *ball : {&reported, &silent}) {
         QCOMPARE(phys_param_set(&ball->params, rowWithId(expected.row), expected.high, nullptr), PHYS_OK);
         ball->roll(-1.0, 0.25);
     }
     phys_state &state = silent.state;
     for (int i = 0; i < 256; ++i) {
-        reported.step(kDt);
-        QCOMPARE(phys_step(silent.stepper(), &silent.params, kDt, &state, &state, nullptr, nullptr), reported.status());
+        reported.step(kEffectDt);
+        QCOMPARE(phys_step(silent.stepper(), &silent.params, kEffectDt, &state, &state, nullptr, nullptr),
+                 reported.status());
         if (reported.status()) return;
         QVERIFY(sameBits(state, reported.state));
     }
@@ -208,16 +209,16 @@ void TestParameterEffects::asReportedTakesSubstepsAway() {
 void TestParameterEffects::orientationTurnsOnlyWhenAskedFor() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
-    Experiment with(leftWall(), stepper, model);
-    Experiment without(leftWall(), stepper, model);
+    Experiment with(wallAtTheLeft(), stepper, model);
+    Experiment without(wallAtTheLeft(), stepper, model);
     with.params.options = PHYS_OPTION_ORIENTATION;
     for (Experiment *ball : {&with, &without}) {
         ball->setLaw(-0.5, 0.25);
         ball->roll(0.25, 0.5);
     }
     for (int i = 0; i < 500; ++i) {
-        QVERIFY2(with.step(kDt), with.error());
-        QVERIFY2(without.step(kDt), without.error());
+        QVERIFY2(with.step(kEffectDt), with.error());
+        QVERIFY2(without.step(kEffectDt), without.error());
         const phys_state before = without.state;
         phys_state moved = with.state;
         std::memcpy(moved.orientation, before.orientation, sizeof moved.orientation);

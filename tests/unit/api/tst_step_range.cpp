@@ -13,13 +13,13 @@ namespace {
 
 constexpr double kLargest = 0x1p100;
 
-struct Extreme {
+struct RangeEnd {
     const char *name;
     double dt;
     void (*set)(Experiment &);
 };
 
-constexpr Extreme kExtremes[] = {
+constexpr RangeEnd kExtremes[] = {
     {"the longest step", kLargest, [](Experiment &ball) { ball.state.velocity.x = 1.0; }},
     {"the highest speed", 10.0, [](Experiment &ball) { ball.state.velocity.x = kLargest; }},
     {"the furthest place", 1e10,

@@ -13,7 +13,7 @@ using phys::Motion;
 using phys::Vec3;
 using phys::Work;
 
-constexpr double kRadius = 0.03125;
+constexpr double kLastingRadius = 0.03125;
 constexpr double kRounding = 1e-13;
 
 const Vec3 kUp(0.0, 0.0, 1.0);
@@ -29,9 +29,9 @@ Lasting contact(const Vec3 &normal, double friction, double slow = 0.0) {
 }
 
 /// Spins are given as surface speeds.
-Motion motion(const Vec3 &velocity, const Vec3 &surface) { return {velocity, surface / kRadius}; }
+Motion motion(const Vec3 &velocity, const Vec3 &surface) { return {velocity, surface / kLastingRadius}; }
 
-Vec3 slip(const Motion &motion, const Lasting &contact) { return phys::slipAt(motion, contact.limit, kRadius); }
+Vec3 slip(const Motion &motion, const Lasting &contact) { return phys::slipAt(motion, contact.limit, kLastingRadius); }
 
 /// No contact is approached, none pulls, and friction is within its cone, against the slip if there is one.
 bool obeysCoulomb(const LastingContacts &contacts, const Motion &motion) {
@@ -68,7 +68,7 @@ private slots:
 
 void LastingContactsTest::aGrooveOfFloorAndEdgeStopsABallThatSlipsInIt() {
     Work work;
-    LastingContacts contacts(kRadius, work);
+    LastingContacts contacts(kLastingRadius, work);
     contacts.add(contact(kUp, 1.0));
     contacts.add(contact({-0.9457302746909354, 0.0, 0.3249526850681613}, 1.0));
     Motion moved = motion({1.2276678411942e-3, 0.021493566551782, -5.487252984322e-3},
@@ -80,7 +80,7 @@ void LastingContactsTest::aGrooveOfFloorAndEdgeStopsABallThatSlipsInIt() {
 
 void LastingContactsTest::aWedgeCarriesASpinningBallByTheLeastPressure() {
     Work work;
-    LastingContacts contacts(kRadius, work);
+    LastingContacts contacts(kLastingRadius, work);
     contacts.add(contact({0.99999, -0.004472124774662, 0.0}, 0.5));
     contacts.add(contact({-0.99999, -0.004472124774662, 0.0}, 0.5));
     contacts.add(contact(kUp, 1.0));
@@ -93,7 +93,7 @@ void LastingContactsTest::aWedgeCarriesASpinningBallByTheLeastPressure() {
 
 void LastingContactsTest::theRoughestWallAndEdgeRub() {
     Work work;
-    LastingContacts contacts(kRadius, work);
+    LastingContacts contacts(kLastingRadius, work);
     contacts.add(contact({0.0, 1.0, 0.0}, 1e6));
     contacts.add(contact({0.43973312472422432, 0.0, 0.89812848692170411}, 1e6, -1.37e-4));
     Motion moved = motion({0.7289142120866994, -2.5879591329422e-4, -0.3585167864322523},
@@ -105,7 +105,7 @@ void LastingContactsTest::theRoughestWallAndEdgeRub() {
 
 void LastingContactsTest::whatSticksRollsOnToAGapThatCloses() {
     Work work;
-    LastingContacts contacts(kRadius, work);
+    LastingContacts contacts(kLastingRadius, work);
     contacts.add(contact(kUp, 0.1));
     contacts.add(contact({0.98270998277775212, -0.18515153185688177, 0.0}, 0.5, -3e-8));
     Motion moved = motion({6.722236873037e-5, 1.146698991461e-3, -2.801433275824e-3},
@@ -119,7 +119,7 @@ void LastingContactsTest::whatSticksRollsOnToAGapThatCloses() {
 
 void LastingContactsTest::whatFindsAnAnswerIsCounted() {
     Work work(5 * Work::kDisc);
-    LastingContacts contacts(kRadius, work);
+    LastingContacts contacts(kLastingRadius, work);
     contacts.add(contact({0.99999, -0.004472124774662, 0.0}, 0.5));
     contacts.add(contact({-0.99999, -0.004472124774662, 0.0}, 0.5));
     Motion moved = motion({-1.2e-5, 3e-3, -6.6e-3}, {-0.093, 0.0, 0.0});

@@ -16,8 +16,8 @@ namespace fn = phys::elementary;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 struct Reference {
     std::string function;
@@ -103,21 +103,22 @@ private slots:
     }
 
     void endsOfTheRangeAreAsInC() {
-        QCOMPARE(fn::exp(std::nextafter(0x1.62e42fefa39efp9, kInfinity)), kInfinity);
+        QCOMPARE(fn::exp(std::nextafter(0x1.62e42fefa39efp9, kInfinite)), kInfinite);
         QCOMPARE(fn::exp(-746.0), 0.0);
-        QCOMPARE(fn::exp(-kInfinity), 0.0);
+        QCOMPARE(fn::exp(-kInfinite), 0.0);
         QCOMPARE(fn::exp(0.0), 1.0);
-        QCOMPARE(fn::expm1(-kInfinity), -1.0);
-        QCOMPARE(fn::log(0.0), -kInfinity);
+        QCOMPARE(fn::expm1(-kInfinite), -1.0);
+        QCOMPARE(fn::log(0.0), -kInfinite);
         QCOMPARE(fn::log(1.0), 0.0);
         QVERIFY(std::isnan(fn::log(-1.0)));
-        QCOMPARE(fn::log1p(-1.0), -kInfinity);
+        QCOMPARE(fn::log1p(-1.0), -kInfinite);
         QVERIFY(std::isnan(fn::log1p(-2.0)));
         QCOMPARE(fn::root(0.0, 3), 0.0);
         QVERIFY(std::isnan(fn::sin(2.0 * fn::kLargestAngle)));
-        QCOMPARE(fn::hypot(kInfinity, 1.0), kInfinity);
+        QCOMPARE(fn::hypot(kInfinite, 1.0), kInfinite);
         QCOMPARE(fn::hypot(0.0, -3.0), 3.0);
-        for (const elementary::Function &function : elementary::kFunctions) QVERIFY(std::isnan(function.at(kNaN, 2.0)));
+        for (const elementary::Function &function : elementary::kFunctions)
+            QVERIFY(std::isnan(function.at(kNotANumber, 2.0)));
     }
 };
 

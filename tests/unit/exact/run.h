@@ -2,12 +2,13 @@
 // A scene with a ball under stepper "exact", through the C API. Failures are thrown as text.
 #pragma once
 
+#include "support/vector_input.h"
+
 #include <physics/physics.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <istream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -108,5 +109,3 @@ inline double difference(const phys_state &state, double x, double y, double vx,
 }
 
 } // namespace exact
-
-inline std::istream &operator>>(std::istream &in, phys_vec3 &v) { return in >> v.x >> v.y >> v.z; }

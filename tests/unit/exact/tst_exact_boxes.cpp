@@ -10,7 +10,7 @@ using exact::Run;
 
 namespace {
 
-constexpr double kRadius = 0.0625;
+constexpr double kBoxesRadius = 0.0625;
 
 /// A corner of two walls against which gravity presses the ball, in the air, and a slab across it.
 std::vector<phys_box> cornerWith(const phys_box &slab) {
@@ -43,16 +43,16 @@ private slots:
 };
 
 void ExactBoxes::fallsOnAShelfInACornerOfTwoWalls() {
-    Run run(cornerWith({{-1, -1, 0.25}, {0.5, 0.5, 0.375}}), kRadius, {kRadius, kRadius, 0.75});
+    Run run(cornerWith({{-1, -1, 0.25}, {0.5, 0.5, 0.375}}), kBoxesRadius, {kBoxesRadius, kBoxesRadius, 0.75});
     run.params.gravity = {-1, -1, -8};
     run.params.restitution_floor = 0.0;
     run.step(1.0);
-    QCOMPARE(run.state.position.z, 0.375 + kRadius);
+    QCOMPARE(run.state.position.z, 0.375 + kBoxesRadius);
     QCOMPARE(run.state.flags, uint64_t(PHYS_AT_REST));
 }
 
 void ExactBoxes::isThrownUnderARoofInACornerOfTwoWalls() {
-    Run run(cornerWith({{-1, -1, 0.5}, {1, 1, 0.625}}), kRadius, {kRadius, kRadius, 0.25}, {0, 0, 4});
+    Run run(cornerWith({{-1, -1, 0.5}, {1, 1, 0.625}}), kBoxesRadius, {kBoxesRadius, kBoxesRadius, 0.25}, {0, 0, 4});
     run.params.gravity = {-1, -1, -8};
     run.step(1.0 / 16.0); // reaches the roof at 0.4375 after 0.0495 s
     const std::vector<phys_event> hits = run.eventsOf(PHYS_EVENT_IMPACT);
@@ -139,14 +139,14 @@ void ExactBoxes::restsOverACrackItIsTooSlowFor() {
 }
 
 void ExactBoxes::bouncesOffTheUndersideOfTheFloor() {
-    Run run({exact::floorOver(-1, -1, 1, 1)}, kRadius, {0, 0, -1.5}, {0, 0, 8});
+    Run run({exact::floorOver(-1, -1, 1, 1)}, kBoxesRadius, {0, 0, -1.5}, {0, 0, 8});
     run.params.gravity = {0, 0, -8};
     run.params.restitution_wall = 0.5;
     run.step(0.25); // it is 0.4375 m below; reached after (1 - sqrt(0.890625)) s
     const std::vector<phys_event> hits = run.eventsOf(PHYS_EVENT_IMPACT);
     QCOMPARE(hits.size(), size_t(1));
     QVERIFY(std::abs(hits[0].time - (1.0 - std::sqrt(0.890625))) <= 4.0 * kU);
-    QVERIFY(run.state.position.z < -1.0 - kRadius);
+    QVERIFY(run.state.position.z < -1.0 - kBoxesRadius);
 }
 
 void ExactBoxes::spinsInACornerHoweverLittleItsWallsRub_data() {
@@ -158,8 +158,8 @@ void ExactBoxes::spinsInACornerHoweverLittleItsWallsRub_data() {
 
 void ExactBoxes::spinsInACornerHoweverLittleItsWallsRub() {
     QFETCH(double, friction);
-    Run run({exact::floorOver(-1, -1, 2, 2), exact::wall(-1, -1, 2, 0), exact::wall(1, 0, 2, 2)}, kRadius,
-            {1 - kRadius, kRadius, kRadius});
+    Run run({exact::floorOver(-1, -1, 2, 2), exact::wall(-1, -1, 2, 0), exact::wall(1, 0, 2, 2)}, kBoxesRadius,
+            {1 - kBoxesRadius, kBoxesRadius, kBoxesRadius});
     run.params.model = PHYS_MODEL_RIGID;
     run.params.sliding_friction = 0.0;
     run.params.wall_friction = friction;
@@ -168,7 +168,7 @@ void ExactBoxes::spinsInACornerHoweverLittleItsWallsRub() {
     run.step(0.25);
     // Both walls rub: om_z' = -(5/(2R)) mu (N_1 + N_2) with N of 0.5 and 0.75, as the friction at one wall hardly
     // presses the ball against the other.
-    const double expected = 256.0 - 0.25 * 2.5 / kRadius * friction * 1.25;
+    const double expected = 256.0 - 0.25 * 2.5 / kBoxesRadius * friction * 1.25;
     QVERIFY(std::abs(run.state.spin.z - expected) <= 16.0 * friction * friction + 256.0 * 4.0 * kU);
     QCOMPARE(run.state.velocity.x, 0.0);
     QCOMPARE(run.state.velocity.y, 0.0);
@@ -215,19 +215,19 @@ void ExactBoxes::resistanceHoldsItBesideRoughWalls() {
     QFETCH(bool, isCorner);
     const double resistance = 0.015625, gn = 9.75;
     std::vector<phys_box> boxes{exact::floorOver(-1, -1, 1, 1), exact::wall(-1, -1, 0, 1)};
-    if (isCorner) boxes.push_back(exact::wall(0, -1, 1, -kRadius));
-    Run run(boxes, kRadius, {kRadius, 0, kRadius}, {0, speed, 0});
+    if (isCorner) boxes.push_back(exact::wall(0, -1, 1, -kBoxesRadius));
+    Run run(boxes, kBoxesRadius, {kBoxesRadius, 0, kBoxesRadius}, {0, speed, 0});
     run.params.model = PHYS_MODEL_RIGID;
     run.params.sliding_friction = 0.3125;
     run.params.wall_friction = 0.375;
     run.params.rolling_friction = resistance;
     run.params.gravity = {-0.25, drive * resistance * gn, -gn};
-    run.state.spin = {-speed / kRadius, 0, speed / kRadius};
+    run.state.spin = {-speed / kBoxesRadius, 0, speed / kBoxesRadius};
     run.step(2.0);
     QCOMPARE(bool(run.state.flags & PHYS_AT_REST), drive < 1.0);
     QCOMPARE(run.state.position.y > 0.0, drive > 1.0 || speed > kU);
-    QCOMPARE(run.state.position.x, kRadius);
-    QCOMPARE(run.state.position.z, kRadius);
+    QCOMPARE(run.state.position.x, kBoxesRadius);
+    QCOMPARE(run.state.position.z, kBoxesRadius);
 }
 
 void ExactBoxes::rollingOnRoundingItSpinsAgainstARoughWall_data() {
@@ -263,35 +263,35 @@ void ExactBoxes::rollingOnRoundingItSpinsAgainstARoughWall() {
 /// both contacts stick, so that no slip has a direction.
 void ExactBoxes::resistanceAloneLetsASlipStartAtAnEdge() {
     const double c = 0.1973234, s = std::sqrt(1.0 - c * c), speed = 0.011831;
-    Run run({exact::floorOver(-1, -1, 1, 1), exact::wall(-1, 0, 0, 1)}, kRadius, {kRadius * c, -kRadius * s, kRadius},
-            {-speed * s, -speed * c, 0});
+    Run run({exact::floorOver(-1, -1, 1, 1), exact::wall(-1, 0, 0, 1)}, kBoxesRadius,
+            {kBoxesRadius * c, -kBoxesRadius * s, kBoxesRadius}, {-speed * s, -speed * c, 0});
     run.params.model = PHYS_MODEL_RIGID;
     run.params.sliding_friction = 0.145917;
     run.params.wall_friction = 0.240514;
     run.params.rolling_friction = 0.00156939;
     run.params.gravity = {0.947895, 1.28372, -9.67934};
-    run.state.spin = {speed * c / kRadius, -speed * s / kRadius, -speed / kRadius};
+    run.state.spin = {speed * c / kBoxesRadius, -speed * s / kBoxesRadius, -speed / kBoxesRadius};
     run.step(0.001);
     const phys_vec3 &p = run.state.position;
-    QVERIFY(std::abs(std::hypot(p.x, p.y) - kRadius) <= 4.0 * kU);
+    QVERIFY(std::abs(std::hypot(p.x, p.y) - kBoxesRadius) <= 4.0 * kU);
     QVERIFY(run.state.velocity.x * s + run.state.velocity.y * c < 0.0);
 }
 
 /// Gravity pulls upwards, into the edge of a smooth roof with the normal (0.6, 0, -0.8), which presses the ball on the
 /// floor: model.md 2.1 R7.
 void ExactBoxes::aRoofThatPressesItOnTheFloorMakesItRoll() {
-    Run run({exact::kFloor, {{-1, -1, 1.8 * kRadius}, {-0.6 * kRadius, 1, 1}}}, kRadius,
-            {4, 0, kRadius}); // no floor there
-    run.state.position = {0, 0, kRadius};
+    Run run({exact::kFloor, {{-1, -1, 1.8 * kBoxesRadius}, {-0.6 * kBoxesRadius, 1, 1}}}, kBoxesRadius,
+            {4, 0, kBoxesRadius}); // no floor there
+    run.state.position = {0, 0, kBoxesRadius};
     run.params.rolling_friction = 0.01;
     run.params.gravity = {-7.0, 3.0, 1.5};
     run.state.spin = {20, 0, 30};
     run.step(0.01);
     const double pressure = 7.0 / 0.6 * 0.8 - 1.5, speed = 0.01 * 5.0 / 7.0 * (3.0 - 0.01 * pressure);
     QVERIFY(std::abs(run.state.velocity.y - speed) <= 1e-15);
-    QVERIFY(std::abs(run.state.spin.x + speed / kRadius) <= 1e-13);
+    QVERIFY(std::abs(run.state.spin.x + speed / kBoxesRadius) <= 1e-13);
     QCOMPARE(run.state.spin.z, 0.0);
-    QVERIFY(std::abs(run.report.lost_slip - 0.2 * kRadius * kRadius * 1300.0) <= 1e-14);
+    QVERIFY(std::abs(run.report.lost_slip - 0.2 * kBoxesRadius * kBoxesRadius * 1300.0) <= 1e-14);
 }
 
 /// Resistance holds a ball on the floor that isn't turning, as in the rolling model at rest; with another spin, kerbs

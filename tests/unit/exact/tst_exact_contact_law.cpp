@@ -17,7 +17,7 @@ using exact::Run;
 
 namespace {
 
-struct Sample {
+struct LawSample {
     double time, state[9]; ///< position, velocity, spin
     bool isAtRest;
 };
@@ -35,7 +35,7 @@ struct Case {
     std::vector<phys_box> boxes;
     phys_vec3 position{}, velocity{}, spin{};
     std::vector<Tilting> turns;
-    std::vector<Sample> samples;
+    std::vector<LawSample> samples;
 };
 
 void readLine(const std::string &line, std::vector<Case> &cases) {
@@ -71,7 +71,7 @@ void readLine(const std::string &line, std::vector<Case> &cases) {
         in >> last.turns.emplace_back(Tilting{count * length, {}}).gravity;
     }
     if (word == "sample") {
-        Sample &sample = last.samples.emplace_back();
+        LawSample &sample = last.samples.emplace_back();
         in >> sample.time;
         for (double &value : sample.state) in >> value;
         in >> sample.isAtRest;
@@ -101,14 +101,14 @@ struct CaseRun : Run {
 };
 
 /// Calls arrived(sample) with the ball at each sample's time, in steps no longer than `longest`.
-void follow(const Case &of, CaseRun &run, double longest, const std::function<void(const Sample &)> &arrived) {
+void follow(const Case &of, CaseRun &run, double longest, const std::function<void(const LawSample &)> &arrived) {
     size_t next = 0;
     double time = 0.0, turned = 0.0;
     for (const Tilting &turn : of.turns) {
         run.params.gravity = turn.gravity;
         const double end = turned + turn.duration;
         while (next < of.samples.size() && of.samples[next].time <= end * (1.0 + 1e-12)) {
-            const Sample &sample = of.samples[next++];
+            const LawSample &sample = of.samples[next++];
             const int parts = std::max(1, int(std::ceil((sample.time - time) / longest)));
             for (int part = 0; part < parts; ++part) run.step((sample.time - time) / parts);
             time = sample.time;
@@ -118,7 +118,7 @@ void follow(const Case &of, CaseRun &run, double longest, const std::function<vo
     }
 }
 
-double error(const phys_state &state, const Sample &sample, double radius) {
+double error(const phys_state &state, const LawSample &sample, double radius) {
     const phys_vec3 &p = state.position, &v = state.velocity, &w = state.spin;
     const double got[] = {p.x, p.y, p.z, v.x, v.y, v.z, w.x, w.y, w.z};
     double most = 0.0;
@@ -157,7 +157,7 @@ Case imageOf(Case of, const Image &image) {
 std::vector<phys_state> statesOf(const Case &of) {
     std::vector<phys_state> states;
     CaseRun run(of);
-    follow(of, run, 1.0, [&](const Sample &) { states.push_back(run.state); });
+    follow(of, run, 1.0, [&](const LawSample &) { states.push_back(run.state); });
     return states;
 }
 
@@ -193,7 +193,7 @@ private:
 void ExactContactLaw::followsTheReference() {
     const Case &of = chosen();
     CaseRun run(of);
-    follow(of, run, 10.0, [&](const Sample &sample) {
+    follow(of, run, 10.0, [&](const LawSample &sample) {
         QVERIFY2(error(run.state, sample, of.radius) <= allowed(of),
                  qPrintable(QString("off by %1 at %2 s").arg(error(run.state, sample, of.radius)).arg(sample.time)));
         QCOMPARE(bool(run.state.flags & PHYS_AT_REST), sample.isAtRest);
@@ -203,7 +203,7 @@ void ExactContactLaw::followsTheReference() {
 void ExactContactLaw::isTheSameInPieces() {
     const Case &of = chosen();
     CaseRun run(of);
-    follow(of, run, 1.0 / 256.0, [&](const Sample &sample) {
+    follow(of, run, 1.0 / 256.0, [&](const LawSample &sample) {
         QVERIFY2(error(run.state, sample, of.radius) <= 4.0 * allowed(of),
                  qPrintable(QString("off by %1 at %2 s").arg(error(run.state, sample, of.radius)).arg(sample.time)));
         QCOMPARE(bool(run.state.flags & PHYS_AT_REST), sample.isAtRest);
@@ -245,11 +245,11 @@ void ExactContactLaw::fourTimesAsLargeIsTheSameToTheBit() {
     large.velocity = times(2.0, large.velocity);
     large.spin = times(0.5, large.spin);
     for (Tilting &turn : large.turns) turn.duration *= 2.0;
-    for (Sample &sample : large.samples) sample.time *= 2.0;
+    for (LawSample &sample : large.samples) sample.time *= 2.0;
     CaseRun run(chosen()), largeRun(large);
     std::vector<phys_state> states, largeStates;
-    follow(chosen(), run, 10.0, [&](const Sample &) { states.push_back(run.state); });
-    follow(large, largeRun, 20.0, [&](const Sample &) { largeStates.push_back(largeRun.state); });
+    follow(chosen(), run, 10.0, [&](const LawSample &) { states.push_back(run.state); });
+    follow(large, largeRun, 20.0, [&](const LawSample &) { largeStates.push_back(largeRun.state); });
     for (size_t i = 0; i < states.size(); ++i) {
         QVERIFY(equal(largeStates[i].position, times(4.0, states[i].position)));
         QVERIFY(equal(largeStates[i].velocity, times(2.0, states[i].velocity)));

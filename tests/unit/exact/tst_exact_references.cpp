@@ -30,7 +30,7 @@ struct Step {
     double sensitivity;
 };
 
-struct Scene {
+struct KnownScene {
     std::string name;
     std::vector<phys_box> boxes;
     double radius = 0.0;
@@ -54,7 +54,7 @@ bool readEvent(std::istream &in, Step &step) {
 }
 
 /// Reads one line of references.txt, whose head explains the words. False if the line is invalid.
-bool readLine(const std::string &line, std::vector<Scene> &scenes) {
+bool readKnownLine(const std::string &line, std::vector<KnownScene> &scenes) {
     std::istringstream in(line);
     std::string word;
     if (!(in >> word) || word == "#") return true;
@@ -63,7 +63,7 @@ bool readLine(const std::string &line, std::vector<Scene> &scenes) {
         return bool(std::getline(in >> std::ws, scenes.back().name));
     }
     if (scenes.empty()) return false;
-    Scene &scene = scenes.back();
+    KnownScene &scene = scenes.back();
     if (word == "radius") return bool(in >> scene.radius);
     if (word == "params") return bool(in >> scene.restitutionWall >> scene.restitutionFloor >> scene.rollingFriction);
     if (word == "ball") return bool(in >> scene.position >> scene.velocity);
@@ -82,12 +82,12 @@ bool readLine(const std::string &line, std::vector<Scene> &scenes) {
     return word == "state" && in >> step.flags >> step.sensitivity;
 }
 
-const std::vector<Scene> &scenes() {
-    static const std::vector<Scene> all = [] {
-        std::vector<Scene> read;
+const std::vector<KnownScene> &knownScenes() {
+    static const std::vector<KnownScene> all = [] {
+        std::vector<KnownScene> read;
         std::ifstream file(EXACT_REFERENCES);
         for (std::string line; std::getline(file, line);) {
-            if (!readLine(line, read)) throw std::runtime_error("references.txt: not understood: " + line);
+            if (!readKnownLine(line, read)) throw std::runtime_error("references.txt: not understood: " + line);
         }
         if (read.empty()) throw std::runtime_error("can't read " EXACT_REFERENCES);
         return read;
@@ -96,8 +96,8 @@ const std::vector<Scene> &scenes() {
 }
 
 /// The ball of a scene before its first step.
-struct Start : Run {
-    explicit Start(const Scene &scene)
+struct KnownStart : Run {
+    explicit KnownStart(const KnownScene &scene)
         : Run(scene.boxes, scene.radius, scene.position, scene.velocity) {
         params.restitution_wall = scene.restitutionWall;
         params.restitution_floor = scene.restitutionFloor;
@@ -116,7 +116,7 @@ double error(const phys_state &state, const Step &step) {
 /// model.md 8: rounding of a coordinate, amplified by the motion so far. The boards are some metres large.
 double bound(const Step &step, size_t events) { return 2.0 * kU * (1.0 + step.sensitivity) * double(events + 1); }
 
-Scene turned(Scene scene, const Turn &turn) {
+KnownScene turned(KnownScene scene, const Turn &turn) {
     for (phys_box &box : scene.boxes) box = exact::turned(box, turn);
     scene.position = turn(scene.position);
     scene.velocity = turn(scene.velocity);
@@ -124,7 +124,7 @@ Scene turned(Scene scene, const Turn &turn) {
     return scene;
 }
 
-QString told(const Scene &scene, size_t step, double error, double bound) {
+QString told(const KnownScene &scene, size_t step, double error, double bound) {
     return QString("%1, step %2: %3, allowed %4").arg(scene.name.c_str()).arg(step).arg(error).arg(bound);
 }
 
@@ -145,17 +145,17 @@ private slots:
 private:
     void addScenes() {
         QTest::addColumn<int>("number");
-        for (size_t i = 0; i < scenes().size(); ++i) QTest::newRow(scenes()[i].name.c_str()) << int(i);
+        for (size_t i = 0; i < knownScenes().size(); ++i) QTest::newRow(knownScenes()[i].name.c_str()) << int(i);
     }
-    static const Scene &chosen() {
+    static const KnownScene &chosen() {
         QFETCH(int, number);
-        return scenes()[size_t(number)];
+        return knownScenes()[size_t(number)];
     }
 };
 
 void ExactReferences::followsTheReference() {
-    const Scene &scene = chosen();
-    Start run(scene);
+    const KnownScene &scene = chosen();
+    KnownStart run(scene);
     size_t events = 0, number = 0;
     for (const Step &step : scene.steps) {
         run.params.gravity = step.gravity;
@@ -187,8 +187,8 @@ std::vector<Impact> firstOfEachBox(const std::vector<Impact> &impacts) {
 }
 
 void ExactReferences::meetsTheSameWalls() {
-    const Scene &scene = chosen();
-    Start run(scene);
+    const KnownScene &scene = chosen();
+    KnownStart run(scene);
     size_t events = 0;
     for (const Step &step : scene.steps) {
         run.params.gravity = step.gravity;
@@ -217,8 +217,8 @@ void ExactReferences::meetsTheSameWalls() {
 
 /// Each phase that is begun anew starts from a position and a velocity rounded by half a unit.
 void ExactReferences::isTheSameInManySteps() {
-    const Scene &scene = chosen();
-    Start run(scene);
+    const KnownScene &scene = chosen();
+    KnownStart run(scene);
     size_t events = 0, number = 0;
     for (const Step &step : scene.steps) {
         const int parts = std::max(1, int(std::ceil(step.dt * 256.0)));
@@ -237,14 +237,14 @@ void ExactReferences::isTheSameInManySteps() {
 
 /// model.md 9: swapping the axes and reversing one of them changes no bit.
 void ExactReferences::turnedSceneTurnsTheWay() {
-    const Scene &scene = chosen();
+    const KnownScene &scene = chosen();
     const auto swapped = [](const phys_vec3 &v) { return phys_vec3{v.y, v.x, v.z}; };
     const auto mirrored = [](const phys_vec3 &v) { return phys_vec3{-v.x, v.y, v.z}; };
     const Turn turns[] = {swapped, mirrored, [&](const phys_vec3 &v) { return mirrored(swapped(v)); }};
     for (const Turn &turn : turns) {
-        Start run(scene);
-        const Scene other = turned(scene, turn);
-        Start otherRun(other);
+        KnownStart run(scene);
+        const KnownScene other = turned(scene, turn);
+        KnownStart otherRun(other);
         for (size_t i = 0; i < scene.steps.size(); ++i) {
             run.params.gravity = scene.steps[i].gravity;
             run.step(scene.steps[i].dt);

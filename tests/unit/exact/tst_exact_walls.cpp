@@ -55,7 +55,7 @@ void start(Run &run, const Stay &stay) {
     run.params.gravity = stay.gravity;
 }
 
-std::vector<phys_box> scene(const Stay &stay) {
+std::vector<phys_box> sceneOf(const Stay &stay) {
     return {exact::floorOver(-8, -8, 8, 8), {{-2, -2, 0}, {stay.isEdge ? 0.0 : 2.0, 0, 2}}};
 }
 
@@ -122,7 +122,7 @@ void ExactWalls::followsTheReference_data() {
 
 void ExactWalls::followsTheReference() {
     QFETCH(Stay, stay);
-    Run run(scene(stay), kR, {1, 1, kR});
+    Run run(sceneOf(stay), kR, {1, 1, kR});
     start(run, stay);
     run.step(stay.time);
     QCOMPARE(run.events.size(), size_t(0));
@@ -136,7 +136,7 @@ void ExactWalls::followsTheReference() {
 
 void ExactWalls::twoStepsAreOne() {
     QFETCH(Stay, stay);
-    Run run(scene(stay), kR, {1, 1, kR});
+    Run run(sceneOf(stay), kR, {1, 1, kR});
     start(run, stay);
     run.step(0.375 * stay.time);
     run.step(0.625 * stay.time);

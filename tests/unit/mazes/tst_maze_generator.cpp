@@ -147,7 +147,7 @@ private slots:
 
 void TestMazeGenerator::drawsAreThoseOfSplitMix64() {
     // The published sequence for the seed 1234567.
-    Random random(1234567);
+    mazes::Random random(1234567);
     for (const std::uint64_t expected : {6457827717110365317U, 3203168211198807973U, 9817491932198370423U,
                                          4593380528125082431U, 16408922859458223821U})
         QCOMPARE(random.next(), expected);
@@ -162,7 +162,7 @@ void TestMazeGenerator::boundedDrawsAreUniform_data() {
 void TestMazeGenerator::boundedDrawsAreUniform() {
     QFETCH(quint64, unit);
     // 60,000 draws from six: the standard deviation of each count is 91; five of them are allowed.
-    Random random(5);
+    mazes::Random random(5);
     std::array<int, 6> counts{};
     for (int i = 0; i < 60'000; ++i) ++counts.at(random.below(counts.size() * unit) / unit);
     for (const int count : counts) QVERIFY(std::abs(count - 10'000) < 5 * 91);
@@ -225,7 +225,7 @@ void TestMazeGenerator::otherSeedsAndAlgorithmsGiveOtherMazes() {
     std::set<std::vector<std::size_t>> seen; // each maze as its list of walls, without file headers
     for (const AlgorithmRow &row : kAlgorithms) {
         for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-            Random random(seed);
+            mazes::Random random(seed);
             const CellMaze cells = carvePerfectMaze(8, 8, row.algorithm, random);
             std::vector<std::size_t> walls;
             for (const CellSide &wall : cells.closedInnerWalls())

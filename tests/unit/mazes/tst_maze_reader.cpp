@@ -14,12 +14,12 @@
 
 namespace {
 
-using Scene = std::unique_ptr<phys_scene, decltype(&phys_scene_destroy)>;
+using OwnedScene = std::unique_ptr<phys_scene, decltype(&phys_scene_destroy)>;
 
 struct Loaded {
     phys_status status = PHYS_OK;
     QString problem;
-    Scene scene{nullptr, phys_scene_destroy};
+    OwnedScene scene{nullptr, phys_scene_destroy};
 };
 
 Loaded load(const QString &path) {
@@ -41,7 +41,7 @@ QString write(const QTemporaryDir &folder, const QByteArray &content) {
 }
 
 const QByteArray kHeader = "physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\n"; // four lines
-const QByteArray kFloor = "box -1 -1 -0.005 1 1 0\n";
+const QByteArray kFloorBox = "box -1 -1 -0.005 1 1 0\n";
 
 void levelPaths() {
     QTest::addColumn<QString>("path");
@@ -134,7 +134,7 @@ void TestMazeReader::wrongFilesAreRefusedWithFileAndLine_data() {
     add("no ball", "physics-maze 1\nunits m\nstart 0 0 1\n", ":3: 'ball RADIUS' is missing");
     add("no start", "physics-maze 1\nunits m\nball 1\n", ":3: 'start X Y Z' is missing");
     add("two balls", kHeader + "ball 0.006\n", ":5: 'ball' is given twice");
-    add("unknown word", kHeader + kFloor + "sphere 1\n",
+    add("unknown word", kHeader + kFloorBox + "sphere 1\n",
         ":6: expected units, generator, ball, start or box, found 'sphere'");
     add("number missing", kHeader + "box 0 0 0 1 1\n", ":5: box: expected 6 numbers in m, found 5");
     add("number too many", kHeader + "box 0 0 0 1 1 1 1\n", ":5: expected the end of the line, found '1'");
@@ -154,7 +154,7 @@ void TestMazeReader::wrongFilesAreRefusedWithFileAndLine_data() {
     add("comma", kHeader + "box 0 0 0 1 1 0,5\n", ":5: box: expected a number in m, found '0,5'");
     add("beyond double", kHeader + "box 0 0 0 1 1 1e999\n",
         ":5: box: expected a number in m, found '1e999', which is beyond what a number can hold");
-    add("corners swapped", kHeader + kFloor + "box 0 1 0 1 0 1\n",
+    add("corners swapped", kHeader + kFloorBox + "box 0 1 0 1 0 1\n",
         ":6: box: the lower corner's y = 1 is above the upper one's 0");
 }
 

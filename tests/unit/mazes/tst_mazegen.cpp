@@ -14,13 +14,13 @@ using support::contentOf;
 
 namespace {
 
-struct Outcome {
+struct Ending {
     int status = -1;
     QString output;
     QString errors;
 };
 
-Outcome run(const QString &folder, const QStringList &arguments) {
+Ending runMazegen(const QString &folder, const QStringList &arguments) {
     QProcess process;
     process.setWorkingDirectory(folder);
     process.start(QStringLiteral(MAZEGEN), arguments);
@@ -60,7 +60,7 @@ private slots:
 
 void TestMazegen::oneRunWritesFourFilesAndSaysSoInOneLine() {
     QTemporaryDir folder;
-    const Outcome outcome = run(folder.path(), kMaze);
+    const Ending outcome = runMazegen(folder.path(), kMaze);
     QCOMPARE(outcome.status, 0);
     QCOMPARE(outcome.errors, QString());
     QCOMPARE(filesIn(folder.path()), (QStringList{"maze.mtl", "maze.obj", "maze.scad", "maze.txt"}));
@@ -72,7 +72,7 @@ void TestMazegen::oneRunWritesFourFilesAndSaysSoInOneLine() {
 void TestMazegen::outNamesTheFilesAndTheMaterialFileInTheMesh() {
     QTemporaryDir folder;
     QVERIFY(QDir(folder.path()).mkdir("toys"));
-    QCOMPARE(run(folder.path(), kMaze + QStringList{"--out", "toys/first.one"}).status, 0);
+    QCOMPARE(runMazegen(folder.path(), kMaze + QStringList{"--out", "toys/first.one"}).status, 0);
     QCOMPARE(filesIn(folder.filePath("toys")),
              (QStringList{"first.one.mtl", "first.one.obj", "first.one.scad", "first.one.txt"}));
     QVERIFY(contentOf(folder.filePath("toys/first.one.obj")).contains("\nmtllib first.one.mtl\n"));
@@ -80,9 +80,9 @@ void TestMazegen::outNamesTheFilesAndTheMaterialFileInTheMesh() {
 
 void TestMazegen::filesAreReplacedAndNothingElseIsLeft() {
     QTemporaryDir folder;
-    QCOMPARE(run(folder.path(), {"--seed", "8", "--cells", "9x9"}).status, 0);
+    QCOMPARE(runMazegen(folder.path(), {"--seed", "8", "--cells", "9x9"}).status, 0);
     const QByteArray before = contentOf(folder.filePath("maze.txt"));
-    QCOMPARE(run(folder.path(), kMaze).status, 0);
+    QCOMPARE(runMazegen(folder.path(), kMaze).status, 0);
     QVERIFY(contentOf(folder.filePath("maze.txt")) != before);
     QCOMPARE(filesIn(folder.path()), (QStringList{"maze.mtl", "maze.obj", "maze.scad", "maze.txt"}));
 }
@@ -107,12 +107,13 @@ void TestMazegen::theGeneratorLineMakesTheSameFilesAgain() {
                                  "0.0095",
                                  "--floor-thickness",
                                  "0.0025"};
-    QCOMPARE(run(folder.path(), options + QStringList{"--out", "first"}).status, 0);
+    QCOMPARE(runMazegen(folder.path(), options + QStringList{"--out", "first"}).status, 0);
     const QString text = QString::fromUtf8(contentOf(folder.filePath("first.txt")));
     const QString start = QStringLiteral("generator mazegen 1 ");
     const QStringList lines = text.split('\n').filter(QRegularExpression("^" + start));
     QCOMPARE(lines.size(), 1);
-    QCOMPARE(run(folder.path(), lines[0].mid(start.size()).split(' ') + QStringList{"--out", "second"}).status, 0);
+    QCOMPARE(runMazegen(folder.path(), lines[0].mid(start.size()).split(' ') + QStringList{"--out", "second"}).status,
+             0);
     for (const char *suffix : {".txt", ".scad", ".mtl"})
         QCOMPARE(contentOf(folder.filePath(QString("second") + suffix)),
                  contentOf(folder.filePath(QString("first") + suffix)));
@@ -122,7 +123,7 @@ void TestMazegen::theGeneratorLineMakesTheSameFilesAgain() {
 
 void TestMazegen::levelsAndBallAreWrittenTogether() {
     QTemporaryDir folder;
-    QCOMPARE(run(folder.path(), {"--levels", ".", "--ball", "."}).status, 0);
+    QCOMPARE(runMazegen(folder.path(), {"--levels", ".", "--ball", "."}).status, 0);
     QCOMPARE(filesIn(folder.path()).size(), 4 * int(mazes::levelRecipes().size()) + 2);
 }
 
@@ -183,7 +184,7 @@ void TestMazegen::wrongOptionsGiveOneLineAndNoFile() {
     QFETCH(QStringList, options);
     QFETCH(QString, expected);
     QTemporaryDir folder;
-    const Outcome outcome = run(folder.path(), options);
+    const Ending outcome = runMazegen(folder.path(), options);
     QCOMPARE(outcome.errors, "mazegen: " + expected + "\n");
     QCOMPARE(outcome.status, 2);
     QCOMPARE(outcome.output, QString());
@@ -192,14 +193,14 @@ void TestMazegen::wrongOptionsGiveOneLineAndNoFile() {
 
 void TestMazegen::aFileThatCannotBeWrittenIsNamedAndNothingIsLeft() {
     QTemporaryDir folder;
-    const Outcome missing = run(folder.path(), kMaze + QStringList{"--out", "nowhere/maze"});
+    const Ending missing = runMazegen(folder.path(), kMaze + QStringList{"--out", "nowhere/maze"});
     QCOMPARE(missing.errors, QString("mazegen: nowhere/maze.obj: cannot write: No such file or directory\n"));
     QCOMPARE(missing.status, 1);
     QCOMPARE(missing.output, QString());
     QCOMPARE(filesIn(folder.path()), QStringList());
 
     QVERIFY(QDir(folder.path()).mkpath("maze.obj/full"));
-    const Outcome taken = run(folder.path(), kMaze);
+    const Ending taken = runMazegen(folder.path(), kMaze);
     QCOMPARE(taken.errors, QString("mazegen: maze.obj: cannot replace: Is a directory\n"));
     QCOMPARE(taken.status, 1);
     QCOMPARE(filesIn(folder.path()), QStringList{"maze.obj"});
@@ -219,18 +220,18 @@ void TestMazegen::aFileLimitIsToldAndNothingIsLeft() {
 
 void TestMazegen::messagesAreOneLineWhateverIsNamed() {
     QTemporaryDir folder;
-    QCOMPARE(run(folder.path(), {"a\nb\x1b[31m"}).errors,
+    QCOMPARE(runMazegen(folder.path(), {"a\nb\x1b[31m"}).errors,
              QString("mazegen: expected an option of mazegen --help, found 'a\\x0ab\\x1b[31m'\n"));
-    const Outcome nowhere = run(folder.path(), kMaze + QStringList{"--out", "a\x1b/b"});
+    const Ending nowhere = runMazegen(folder.path(), kMaze + QStringList{"--out", "a\x1b/b"});
     QCOMPARE(nowhere.errors, QString("mazegen: a\\x1b/b.obj: cannot write: No such file or directory\n"));
-    const Outcome written = run(folder.path(), kMaze + QStringList{"--out", "a\x1b"});
+    const Ending written = runMazegen(folder.path(), kMaze + QStringList{"--out", "a\x1b"});
     QCOMPARE(written.status, 0);
     QVERIFY2(written.output.startsWith("mazegen: a\\x1b.txt .obj"), qPrintable(written.output));
 }
 
 void TestMazegen::helpListsEveryOption() {
     QTemporaryDir folder;
-    const Outcome outcome = run(folder.path(), {"--help"});
+    const Ending outcome = runMazegen(folder.path(), {"--help"});
     QCOMPARE(outcome.status, 0);
     QCOMPARE(outcome.errors, QString());
     for (const char *option :
@@ -244,7 +245,7 @@ void TestMazegen::helpListsEveryOption() {
 
 void TestMazegen::versionIsThatOfTheProject() {
     QTemporaryDir folder;
-    const Outcome outcome = run(folder.path(), {"--version"});
+    const Ending outcome = runMazegen(folder.path(), {"--version"});
     QCOMPARE(outcome.status, 0);
     QVERIFY(QRegularExpression("^mazegen [0-9]+\\.[0-9]+\\.[0-9]+\n$").match(outcome.output).hasMatch());
 }
@@ -252,8 +253,8 @@ void TestMazegen::versionIsThatOfTheProject() {
 void TestMazegen::filesOfAnotherKindAreNotReplaced() {
     QTemporaryDir folder;
     support::write(folder.filePath("notes.scad"), "cube(1);");
-    const Outcome outcome = run(folder.path(), QStringList(kMaze) << "--out"
-                                                                  << "notes");
+    const Ending outcome = runMazegen(folder.path(), QStringList(kMaze) << "--out"
+                                                                        << "notes");
     QCOMPARE(outcome.status, 1);
     QCOMPARE(outcome.errors, QString("mazegen: notes.scad: there is another file of this name already\n"));
     QCOMPARE(filesIn(folder.path()), QStringList{"notes.scad"});
@@ -264,8 +265,8 @@ void TestMazegen::filesOfAnotherKindAreNotReplaced() {
 void TestMazegen::linksAreNotReplaced() {
     QTemporaryDir folder;
     QVERIFY(QFile::link("elsewhere.txt", folder.filePath("link.txt")));
-    const Outcome outcome = run(folder.path(), QStringList(kMaze) << "--out"
-                                                                  << "link");
+    const Ending outcome = runMazegen(folder.path(), QStringList(kMaze) << "--out"
+                                                                        << "link");
     QCOMPARE(outcome.status, 1);
     QCOMPARE(outcome.errors, QString("mazegen: link.txt: there is another file of this name already\n"));
     QVERIFY(QFileInfo(folder.filePath("link.txt")).isSymLink());
@@ -275,7 +276,7 @@ void TestMazegen::linksAreNotReplaced() {
 void TestMazegen::aFileOfAnotherProgramsThatIsBeingWrittenStays() {
     QTemporaryDir folder;
     support::write(folder.filePath("maze.mtl.part"), "half");
-    const Outcome outcome = run(folder.path(), kMaze);
+    const Ending outcome = runMazegen(folder.path(), kMaze);
     QCOMPARE(outcome.errors, QString("mazegen: maze.mtl.part: there is a file of this name already\n"));
     QCOMPARE(outcome.status, 1);
     QCOMPARE(filesIn(folder.path()), QStringList{"maze.mtl.part"});

@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr double kRadius = 0.25;
+constexpr double kExampleRadius = 0.25;
 constexpr double kTolerance = 1e-9; // of a substep, m
 
 /// A floor, and further boxes of a test.
@@ -20,18 +20,18 @@ std::vector<phys_box> withFloor(std::initializer_list<phys_box> others = {}) {
     return boxes;
 }
 
-struct Outcome {
+struct ExampleOutcome {
     phys_state state{};
     phys_report report{};
     std::array<phys_event, 64> events{};
 };
 
 /// Each substep h may be off by the tolerance in position and by tolerance / h in speed; n of them make up dt.
-double allowedSpeed(const Outcome &outcome, double dt) {
+double allowedSpeed(const ExampleOutcome &outcome, double dt) {
     const double n = outcome.report.substeps;
     return n * (kTolerance * n / dt);
 }
-double allowedWay(const Outcome &outcome, double dt) { return allowedSpeed(outcome, dt) * dt; }
+double allowedWay(const ExampleOutcome &outcome, double dt) { return allowedSpeed(outcome, dt) * dt; }
 
 } // namespace
 
@@ -57,7 +57,7 @@ private slots:
 
 private:
     void setScene(const std::vector<phys_box> &boxes, const phys_vec3 &start);
-    void run(double dt, Outcome &outcome);
+    void run(double dt, ExampleOutcome &outcome);
 
     phys_registry *m_registry = nullptr;
     phys_scene *m_scene = nullptr;
@@ -95,7 +95,7 @@ void PluginExample::setScene(const std::vector<phys_box> &boxes, const phys_vec3
     phys_scene_desc_init(&desc, sizeof desc);
     desc.boxes = boxes.data();
     desc.box_count = static_cast<uint32_t>(boxes.size());
-    desc.radius = kRadius;
+    desc.radius = kExampleRadius;
     desc.start = start;
     phys_error error{};
     QVERIFY2(phys_scene_create(&desc, &m_scene, &error) == PHYS_OK, error.text);
@@ -103,7 +103,7 @@ void PluginExample::setScene(const std::vector<phys_box> &boxes, const phys_vec3
     phys_scene_start(m_scene, &m_state);
 }
 
-void PluginExample::run(double dt, Outcome &outcome) {
+void PluginExample::run(double dt, ExampleOutcome &outcome) {
     phys_report_init(&outcome.report, sizeof outcome.report);
     outcome.report.events = outcome.events.data();
     outcome.report.event_capacity = static_cast<uint32_t>(outcome.events.size());
@@ -123,29 +123,29 @@ void PluginExample::isListedWithItsRows() {
 
 // v' = 5/7 (g - k v^2): v = V tanh(5/7 k V t), x = log(cosh(5/7 k V t)) / (5/7 k), V = sqrt(g / k).
 void PluginExample::startsUnderDragAsTheHyperbolicTangent() {
-    setScene(withFloor(), {0, 0, kRadius});
+    setScene(withFloor(), {0, 0, kExampleRadius});
     const double k = m_params.stepper[0] = 0.5;
     const double g = m_params.gravity.x = 2.0;
-    Outcome outcome;
+    ExampleOutcome outcome;
     run(1.5, outcome);
     const double limit = std::sqrt(g / k);
     const double phase = 5.0 / 7.0 * k * limit * 1.5;
     QVERIFY(std::abs(outcome.state.velocity.x - limit * std::tanh(phase)) < allowedSpeed(outcome, 1.5));
     QVERIFY(std::abs(outcome.state.position.x - std::log(std::cosh(phase)) / (5.0 / 7.0 * k)) <
             allowedWay(outcome, 1.5));
-    QCOMPARE(outcome.state.position.z, kRadius);
-    QCOMPARE(outcome.state.spin.y, outcome.state.velocity.x / kRadius);
+    QCOMPARE(outcome.state.position.z, kExampleRadius);
+    QCOMPARE(outcome.state.spin.y, outcome.state.velocity.x / kExampleRadius);
 }
 
 // v' = -5/7 (m + k v^2): v = sqrt(m/k) tan(atan(v0 sqrt(k/m)) - 5/7 sqrt(m k) t), m = resistance's deceleration.
 void PluginExample::slowsDownUnderResistanceAndDragAsTheTangent() {
-    setScene(withFloor(), {0, 0, kRadius});
+    setScene(withFloor(), {0, 0, kExampleRadius});
     const double k = m_params.stepper[0] = 0.5;
     m_params.rolling_friction = 0.05;
     m_params.gravity = {0, 0, -10};
     const double m = 0.5;
     m_state.velocity = {0, 3, 0};
-    Outcome outcome;
+    ExampleOutcome outcome;
     run(1.0, outcome);
     const double expected =
         std::sqrt(m / k) * std::tan(std::atan(3.0 * std::sqrt(k / m)) - 5.0 / 7.0 * std::sqrt(m * k) * 1.0);
@@ -156,7 +156,7 @@ void PluginExample::slowsDownUnderResistanceAndDragAsTheTangent() {
 void PluginExample::fallsUnderDragAsTheHyperbolicTangent() {
     setScene(withFloor(), {0, 0, 60});
     const double k = m_params.stepper[0] = 0.5;
-    Outcome outcome;
+    ExampleOutcome outcome;
     run(1.5, outcome);
     const double limit = std::sqrt(9.81 / k);
     const double phase = k * limit * 1.5;
@@ -166,10 +166,10 @@ void PluginExample::fallsUnderDragAsTheHyperbolicTangent() {
 }
 
 void PluginExample::restsWhereResistanceHoldsIt() {
-    setScene(withFloor(), {0, 0, kRadius});
+    setScene(withFloor(), {0, 0, kExampleRadius});
     m_params.rolling_friction = 0.05;
     m_params.gravity = {0.49, 0, -10}; // a slope just below the resistance's
-    Outcome outcome;
+    ExampleOutcome outcome;
     run(1.0, outcome);
     QCOMPARE(outcome.state.position.x, 0.0);
     QCOMPARE(outcome.state.velocity.x, 0.0);
@@ -177,12 +177,12 @@ void PluginExample::restsWhereResistanceHoldsIt() {
 }
 
 void PluginExample::bouncesOffAWallAtItsTime() {
-    setScene(withFloor({{{2, -5, 0}, {3, 5, 2}}}), {0, 0, kRadius});
+    setScene(withFloor({{{2, -5, 0}, {3, 5, 2}}}), {0, 0, kExampleRadius});
     m_params.stepper[0] = 0.0;
     m_params.restitution_wall = 0.5;
     m_params.gravity = {0, 0, -10};
     m_state.velocity = {1, 0, 0};
-    Outcome outcome;
+    ExampleOutcome outcome;
     run(3.0, outcome); // gap 2 - R = 1.75 m at 1 m/s, then back at 0.5 m/s
     QCOMPARE(outcome.report.event_count, 1U);
     QCOMPARE(outcome.events[0].kind, uint32_t(PHYS_EVENT_IMPACT));
@@ -196,28 +196,28 @@ void PluginExample::bouncesOffAWallAtItsTime() {
 
 void PluginExample::neverEntersAWallByMoreThanItsTolerance() {
     const double thin = 1e-3;
-    setScene(withFloor({{{2, -5, 0}, {2 + thin, 5, 2}}, {{-3, 3, 0}, {2, 4, 2}}}), {0, 0, kRadius});
+    setScene(withFloor({{{2, -5, 0}, {2 + thin, 5, 2}}, {{-3, 3, 0}, {2, 4, 2}}}), {0, 0, kExampleRadius});
     m_params.gravity = {3, 2, -9};
     m_params.restitution_wall = 0.7;
-    Outcome outcome;
+    ExampleOutcome outcome;
     for (int i = 0; i < 200; ++i) { // bounces, leans on one wall, then on both
         run(0.05, outcome);
         QVERIFY(outcome.report.penetration <= kTolerance);
-        QVERIFY(outcome.state.position.x <= 2 - kRadius + kTolerance);
-        QVERIFY(outcome.state.position.y <= 3 - kRadius + kTolerance);
+        QVERIFY(outcome.state.position.x <= 2 - kExampleRadius + kTolerance);
+        QVERIFY(outcome.state.position.y <= 3 - kExampleRadius + kTolerance);
         m_state = outcome.state;
     }
-    QVERIFY(std::abs(m_state.position.x - (2 - kRadius)) <= 3 * kTolerance);
-    QVERIFY(std::abs(m_state.position.y - (3 - kRadius)) <= 3 * kTolerance);
+    QVERIFY(std::abs(m_state.position.x - (2 - kExampleRadius)) <= 3 * kTolerance);
+    QVERIFY(std::abs(m_state.position.y - (3 - kExampleRadius)) <= 3 * kTolerance);
     QCOMPARE(m_state.velocity.x, 0.0);
     QCOMPARE(m_state.velocity.y, 0.0);
 }
 
 void PluginExample::energyBalances() {
-    setScene(withFloor({{{2, -5, 0}, {3, 5, 2}}}), {0, 0, kRadius});
+    setScene(withFloor({{{2, -5, 0}, {3, 5, 2}}}), {0, 0, kExampleRadius});
     m_params.gravity = {3, 1, -9};
     m_params.rolling_friction = 0.02;
-    Outcome outcome;
+    ExampleOutcome outcome;
     run(2.0, outcome);
     QVERIFY(outcome.report.lost_impact > 0.0);
     QVERIFY(outcome.report.lost_rolling > 0.0);
@@ -228,13 +228,13 @@ void PluginExample::energyBalances() {
 }
 
 void PluginExample::aTurnedBallKeepsAUnitOrientation() {
-    setScene(withFloor(), {0, 0, kRadius});
+    setScene(withFloor(), {0, 0, kExampleRadius});
     m_params.options = PHYS_OPTION_ORIENTATION;
     m_params.gravity = {1, 0, -9};
-    Outcome outcome;
+    ExampleOutcome outcome;
     run(0.1, outcome);
     // Turned about y by the distance rolled over the radius; the mean spin of a constant acceleration is exact.
-    const double angle = outcome.state.position.x / kRadius;
+    const double angle = outcome.state.position.x / kExampleRadius;
     const double *q = outcome.state.orientation;
     QVERIFY(std::abs(2.0 * std::atan2(q[1], q[3]) - angle) < angle * angle); // first order in the angle
     QCOMPARE(q[0], 0.0);
@@ -242,7 +242,7 @@ void PluginExample::aTurnedBallKeepsAUnitOrientation() {
 }
 
 void PluginExample::theRigidModelIsRefused() {
-    setScene(withFloor(), {0, 0, kRadius});
+    setScene(withFloor(), {0, 0, kExampleRadius});
     m_params.model = PHYS_MODEL_RIGID;
     phys_error error{};
     phys_state out{};

@@ -13,11 +13,11 @@ using namespace support;
 
 namespace {
 
-constexpr double kRadius = 0.0625;
+constexpr double kImpactRadius = 0.0625;
 
 /// A wall of 1 m to the left of x = 0; the ball touches it.
 SceneBuilder leftWall() {
-    return SceneBuilder().ball(kRadius).floor(-1, -20, 20, 20).wall(-1, -20, 0, 20).start(kRadius, 0.0);
+    return SceneBuilder().ball(kImpactRadius).floor(-1, -20, 20, 20).wall(-1, -20, 0, 20).start(kImpactRadius, 0.0);
 }
 
 /// False if a step fails, or nothing is hit within a second.
@@ -34,21 +34,21 @@ void makeSmooth(Experiment &ball) { ball.params.sliding_friction = 0.0; }
 /// Weightless, straight towards the top of the wall's end (0, 0) along -normal: the only impact is head-on, whatever
 /// the step.
 void bouncesOffTheWallsEnd(const QByteArray &stepper, uint32_t model, const phys_vec3 &normal, double wallFrom) {
-    constexpr double kTop = 4.0 * kRadius;
+    constexpr double kTop = 4.0 * kImpactRadius;
     constexpr double kWay = 0.25; // after half a second
-    const auto scene = SceneBuilder().ball(kRadius).floor(-9, -9, 9, 9).wall(0, wallFrom, 1, 2).start(-1, -1);
+    const auto scene = SceneBuilder().ball(kImpactRadius).floor(-9, -9, 9, 9).wall(0, wallFrom, 1, 2).start(-1, -1);
     Experiment ball(scene, stepper, model);
     ball.params.gravity = {0.0, 0.0, 0.0};
     ball.params.restitution_floor = 0.9;
     ball.params.restitution_wall = 0.1;
-    const double from = kRadius + kWay;
+    const double from = kImpactRadius + kWay;
     ball.state.position = {from * normal.x, from * normal.y, kTop + from * normal.z};
     ball.state.velocity = {-0.5 * normal.x, -0.5 * normal.y, -0.5 * normal.z};
     // Slower than 2 dt v^2/R it would stay, model.md 13.5.
     QVERIFY2(ball.stepFor(1.0, 1.0 / 1024.0), ball.error());
     // model.md 13.1: every edge and every corner has restitution_wall. A rounding error of the position turns the
     // normal by it over R.
-    const double slack = rounding(2 * 1024, 0.5) / kRadius;
+    const double slack = rounding(2 * 1024, 0.5) / kImpactRadius;
     COMPARE_WITHIN(ball.state.velocity.x, 0.05 * normal.x, slack);
     COMPARE_WITHIN(ball.state.velocity.y, 0.05 * normal.y, slack);
     COMPARE_WITHIN(ball.state.velocity.z, 0.05 * normal.z, slack);
@@ -150,9 +150,9 @@ void TestImpacts::landingWithoutReboundPutsTheBallDown() {
     Experiment ball(openFloor(), stepper, model);
     ball.params.restitution_floor = 0.0;
     ball.params.gravity = {3.0, 0.0, -8.0};
-    ball.state.position.z = kRadius + 0.05;
+    ball.state.position.z = kImpactRadius + 0.05;
     QVERIFY2(stepToFirstImpact(ball), ball.error());
-    COMPARE_WITHIN(ball.state.position.z, kRadius, rounding(8, 100.0));
+    COMPARE_WITHIN(ball.state.position.z, kImpactRadius, rounding(8, 100.0));
 }
 
 /// The spin, which the impact doesn't stop, may press a rigid ball on the wall from then on.
@@ -166,22 +166,22 @@ void TestImpacts::wallWithoutReboundStopsTheBallAtItsFace() {
     ball.setPosition(0.15, 0.0);
     ball.roll(-0.5, 0.3);
     QVERIFY2(stepToFirstImpact(ball), ball.error());
-    COMPARE_WITHIN(ball.state.position.x, kRadius, rounding(8, 20.0));
+    COMPARE_WITHIN(ball.state.position.x, kImpactRadius, rounding(8, 20.0));
 }
 
 /// Moving along the wall and pulled into it, the centre outside the wall and inside.
 void TestImpacts::startInsideAWallCostsNoSpeed() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
-    for (const double depth : {0.5 * kRadius, 1.25 * kRadius}) {
+    for (const double depth : {0.5 * kImpactRadius, 1.25 * kImpactRadius}) {
         Experiment ball(leftWall(), stepper, model);
         makeSmooth(ball);
         ball.params.gravity = {-0.5, 0.0, -8.0};
-        ball.setPosition(kRadius - depth, 0.0);
+        ball.setPosition(kImpactRadius - depth, 0.0);
         ball.roll(0.0, 0.25);
         QVERIFY2(ball.step(0x1p-10), ball.error());
         // model.md 5.7: it is put out of the wall, which is no motion.
-        COMPARE_EXACT(ball.state.position.x, kRadius);
+        COMPARE_EXACT(ball.state.position.x, kImpactRadius);
         COMPARE_EXACT(ball.state.velocity.y, 0.25);
         COMPARE_EXACT(ball.report.penetration, depth);
         COMPARE_WITHIN(ball.report.energy_scheme, 0.5 * depth, rounding(16, 1.0));
@@ -191,14 +191,14 @@ void TestImpacts::startInsideAWallCostsNoSpeed() {
 void TestImpacts::startInsideAWallBouncesOffItsFace() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
-    for (const double depth : {0.5 * kRadius, 1.25 * kRadius}) {
+    for (const double depth : {0.5 * kImpactRadius, 1.25 * kImpactRadius}) {
         Experiment ball(leftWall(), stepper, model);
         makeSmooth(ball);
         ball.params.restitution_wall = 0.5;
-        ball.setPosition(kRadius - depth, 0.0);
+        ball.setPosition(kImpactRadius - depth, 0.0);
         ball.roll(-0.5, 0.25);
         QVERIFY2(ball.step(0x1p-10), ball.error());
-        COMPARE_EXACT(ball.state.position.x, kRadius + 0x1p-12);
+        COMPARE_EXACT(ball.state.position.x, kImpactRadius + 0x1p-12);
         COMPARE_EXACT(ball.state.velocity.x, 0.25);
         QCOMPARE(ball.report.event_count, 1U);
     }
@@ -213,7 +213,7 @@ void TestImpacts::cornerTurnsBothComponentsBack() {
     // Both faces are reached after 1 s, at the same moment, in the middle of a step.
     const double vx = -0.5 - 0x1p-9;
     const double vy = -0.25 - 0x1p-9;
-    ball.setPosition(kRadius - vx, kRadius - vy);
+    ball.setPosition(kImpactRadius - vx, kImpactRadius - vy);
     ball.roll(vx, vy);
     QVERIFY2(ball.stepTimes(37, 1.0 / 32.0), ball.error());
     // model.md 12.2: v = (eps b, eps c).
@@ -237,11 +237,12 @@ void TestImpacts::topCornerOfAWallHasTheWallsRestitution() {
 /// in ever smaller impacts.
 Experiment beforeARoofsEdge(const QByteArray &stepper, uint32_t model, double dt) {
     constexpr double kSpeed = 0.5, kNormalX = 0.8, kNormalZ = 0.6;
-    const auto scene = SceneBuilder()
-                           .ball(kRadius)
-                           .floor(-1.0, -1.0, 1.0, 1.0)
-                           .box({{kNormalX * kRadius, -1.0, (1.0 + kNormalZ) * kRadius}, {1.0, 1.0, 4.0 * kRadius}})
-                           .start(-0.5, 0.0);
+    const auto scene =
+        SceneBuilder()
+            .ball(kImpactRadius)
+            .floor(-1.0, -1.0, 1.0, 1.0)
+            .box({{kNormalX * kImpactRadius, -1.0, (1.0 + kNormalZ) * kImpactRadius}, {1.0, 1.0, 4.0 * kImpactRadius}})
+            .start(-0.5, 0.0);
     Experiment ball(scene, stepper, model);
     ball.setPosition(-0.5 * kSpeed * dt, 0.0);
     ball.roll(kSpeed, 0.0);
@@ -258,7 +259,7 @@ void TestImpacts::hitAtARoofsEdgeLeavesTheBallOnItsFloor() {
     Experiment ball = beforeARoofsEdge(stepper, model, dt);
     QVERIFY2(ball.step(dt), ball.error());
     QVERIFY(ball.report.event_count > 0);
-    COMPARE_WITHIN(ball.state.position.z, kRadius, rounding(8, 1.0));
+    COMPARE_WITHIN(ball.state.position.z, kImpactRadius, rounding(8, 1.0));
 }
 
 /// What the floor takes of the edge's rebound isn't left as a gap, either.
@@ -346,12 +347,13 @@ void TestImpacts::grazingAnEdgeChangesNothing() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
     // model.md 12.2: the edge (0.5, -R) of a box below the path from (0, 0) along x.
-    const auto scene = SceneBuilder().ball(kRadius).floor(-9, -9, 9, 9).wall(0.5, -2.0, 0.75, -kRadius).start(0, 0);
+    const auto scene =
+        SceneBuilder().ball(kImpactRadius).floor(-9, -9, 9, 9).wall(0.5, -2.0, 0.75, -kImpactRadius).start(0, 0);
     Experiment ball(scene, stepper, model);
     ball.roll(1.0, 0.0);
     // Finding the impact inside the step may find a contact within the tolerance of 4 roundings of the board's size,
     // with a normal speed of |v| sqrt(2 tol/R): model.md 5.4. Detecting overlaps at the step's end can't.
-    const double grazing = promiseOf(stepper).inSteps ? 0.0 : 2.0 * std::sqrt(2.0 * rounding(8, 9.0) / kRadius);
+    const double grazing = promiseOf(stepper).inSteps ? 0.0 : 2.0 * std::sqrt(2.0 * rounding(8, 9.0) / kImpactRadius);
     for (int i = 0; i < 64; ++i) {
         QVERIFY2(ball.step(1.0 / 64.0), ball.error());
         COMPARE_WITHIN(ball.state.velocity.x, 1.0, grazing);
@@ -363,8 +365,8 @@ void TestImpacts::grazingAnEdgeChangesNothing() {
 void TestImpacts::seamOfFlushWallsIsNotFelt() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
-    auto whole = SceneBuilder().ball(kRadius).floor(-9, -9, 9, 9).wall(-1, -4, 0, 4).start(kRadius, -2.0);
-    auto cut = SceneBuilder().ball(kRadius).floor(-9, -9, 9, 9).start(kRadius, -2.0);
+    auto whole = SceneBuilder().ball(kImpactRadius).floor(-9, -9, 9, 9).wall(-1, -4, 0, 4).start(kImpactRadius, -2.0);
+    auto cut = SceneBuilder().ball(kImpactRadius).floor(-9, -9, 9, 9).start(kImpactRadius, -2.0);
     for (int i = -4; i < 4; ++i) cut.wall(-1, i, 0, i + 1);
     Experiment a(whole, stepper, model);
     Experiment b(cut, stepper, model);
@@ -382,11 +384,11 @@ void TestImpacts::seamOfFlushWallsIsNotFelt() {
 void TestImpacts::seamOfFlushFloorsIsNotFelt() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
-    auto tiles = SceneBuilder().ball(kRadius).start(0.125, 0.125);
+    auto tiles = SceneBuilder().ball(kImpactRadius).start(0.125, 0.125);
     for (int x = 0; x < 8; ++x) {
         for (int y = 0; y < 8; ++y) tiles.floor(0.5 * x, 0.5 * y, 0.5 * x + 0.5, 0.5 * y + 0.5);
     }
-    Experiment a(SceneBuilder().ball(kRadius).floor(0, 0, 4, 4).start(0.125, 0.125), stepper, model);
+    Experiment a(SceneBuilder().ball(kImpactRadius).floor(0, 0, 4, 4).start(0.125, 0.125), stepper, model);
     Experiment b(tiles, stepper, model);
     for (Experiment *ball : {&a, &b}) ball->roll(1.0, 0.875);
     for (int i = 0; i < 256; ++i) {
@@ -427,13 +429,14 @@ void TestImpacts::edgeDeflectsAsWhereItIsMet() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
     constexpr double kOffset = 0.03;
-    Experiment ball(SceneBuilder().ball(kRadius).floor(-1, -1, 2, 1).wall(0.5, -1, 1, 0).start(0.0, kOffset), stepper,
-                    model);
+    Experiment ball(SceneBuilder().ball(kImpactRadius).floor(-1, -1, 2, 1).wall(0.5, -1, 1, 0).start(0.0, kOffset),
+                    stepper, model);
     makeSmooth(ball);
     ball.params.restitution_wall = 0.5;
     ball.roll(0.5, 0.0);
     QVERIFY2(ball.stepFor(1.0, 1.0 / 40.0), ball.error());
-    const double nx = -std::sqrt(1.0 - kOffset * kOffset / (kRadius * kRadius)), ny = kOffset / kRadius;
+    const double nx = -std::sqrt(1.0 - kOffset * kOffset / (kImpactRadius * kImpactRadius)),
+                 ny = kOffset / kImpactRadius;
     const double impulse = -1.5 * 0.5 * nx;
     COMPARE_WITHIN(ball.state.velocity.x, 0.5 + impulse * nx, rounding(256, 1.0));
     COMPARE_WITHIN(ball.state.velocity.y, impulse * ny, rounding(256, 1.0));
@@ -466,7 +469,7 @@ void TestImpacts::bouncesAccumulateWhenPredicted() {
         QVERIFY2(ball.step(dt), ball.error());
         bounces += ball.report.event_count;
         // In contact: within the tolerance of 4 roundings of the board's size.
-        const double gap = ball.state.position.x - kRadius;
+        const double gap = ball.state.position.x - kImpactRadius;
         rests = ball.state.velocity.x == 0.0 && std::abs(gap) <= rounding(8, 20.0);
     }
     QVERIFY(rests);
@@ -484,7 +487,7 @@ void TestImpacts::impactEventTellsWhatHappened() {
     Experiment ball(leftWall(), stepper, model);
     makeSmooth(ball);
     ball.params.restitution_wall = 0.75;
-    ball.setPosition(kRadius + 0.5, 0.25);
+    ball.setPosition(kImpactRadius + 0.5, 0.25);
     ball.roll(-0.5, 0.0);
     const double dt = 1.0 / 64.0;
     phys_event event{};
@@ -517,7 +520,7 @@ void TestImpacts::sweptFindsAWallThatTheBallWouldTurnBackBehind() {
     ball.params.rolling_friction = 0.0;
     ball.params.restitution_wall = 0.0;
     ball.params.gravity.x = kDrive;
-    ball.setPosition(kRadius + kGap, 0.0);
+    ball.setPosition(kImpactRadius + kGap, 0.0);
     ball.state.velocity.x = -0.5 * kDrive * kStep;
     phys_error error;
     QVERIFY2(!phys_step(ball.stepper(), &ball.params, kStep, &ball.state, &ball.state, nullptr, &error), error.text);
@@ -530,7 +533,7 @@ void TestImpacts::eventsWithoutRoomAreCounted() {
     QFETCH(QByteArray, stepper);
     Experiment ball(squareRoom(4.0), stepper);
     ball.params.restitution_wall = 1.0;
-    ball.setPosition(kRadius + 0x1p-8, kRadius + 0x1p-8);
+    ball.setPosition(kImpactRadius + 0x1p-8, kImpactRadius + 0x1p-8);
     ball.roll(-1.0, -1.0);
     phys_event one[1];
     phys_report report;

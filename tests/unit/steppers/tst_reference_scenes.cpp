@@ -4,6 +4,7 @@
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
 #include "support/tolerance.h"
+#include "support/vector_input.h"
 
 #include <QtTest>
 
@@ -22,7 +23,7 @@ struct Gravity {
     phys_vec3 gravity;
 };
 
-struct Sample {
+struct SceneSample {
     double time;
     phys_vec3 position;
     bool rests;
@@ -38,10 +39,8 @@ struct ReferenceScene {
     double restitutionWall = 0.0, restitutionFloor = 0.0;
     double rollingFriction = 0.0, slidingFriction = 0.0, wallFriction = 0.0;
     std::vector<Gravity> schedule;
-    std::vector<Sample> samples;
+    std::vector<SceneSample> samples;
 };
-
-std::istream &operator>>(std::istream &in, phys_vec3 &v) { return in >> v.x >> v.y >> v.z; }
 
 void readScene(std::istream &in, std::vector<ReferenceScene> &scenes) {
     std::string name, model, kind;
@@ -77,7 +76,7 @@ bool readLine(const std::string &line, std::vector<ReferenceScene> &scenes) {
         Gravity &gravity = scene.schedule.emplace_back();
         in >> gravity.duration >> gravity.gravity;
     } else if (word == "sample") {
-        Sample &sample = scene.samples.emplace_back();
+        SceneSample &sample = scene.samples.emplace_back();
         std::string end;
         in >> sample.time >> sample.position >> end;
         sample.rests = end == "rests";
@@ -120,9 +119,9 @@ double largestDifference(const phys_vec3 &a, const phys_vec3 &b) {
 }
 
 /// Runs a scene at about the step size h. Returns the largest position error at any sample, m; NaN if a step failed.
-class Run {
+class SceneRun {
 public:
-    Run(const ReferenceScene &scene, const QByteArray &stepper)
+    SceneRun(const ReferenceScene &scene, const QByteArray &stepper)
         : m_scene(scene)
         , m_ball(builder(scene), stepper, scene.model) {
         m_ball.params.restitution_wall = scene.restitutionWall;
@@ -146,7 +145,7 @@ public:
             m_ball.params.gravity = segment.gravity;
             segmentEnd += segment.duration;
             for (; next < m_scene.samples.size() && m_scene.samples[next].time <= segmentEnd + kSameTime; ++next) {
-                const Sample &sample = m_scene.samples[next];
+                const SceneSample &sample = m_scene.samples[next];
                 if (!stepTo(sample.time, h)) return NAN;
                 worst = std::max(worst, largestDifference(m_ball.state.position, sample.position));
                 const bool rests = m_ball.state.flags & PHYS_AT_REST;
@@ -209,7 +208,7 @@ void TestReferenceScenes::convergesToTheLaw() {
     const ReferenceScene &scene = referenceScenes()[static_cast<size_t>(number)];
     const Bound promise = boundOf(stepper, scene);
     for (const double h : {1e-3, 5e-4, 2.5e-4}) {
-        Run run(scene, stepper);
+        SceneRun run(scene, stepper);
         const double error = run.error(h);
         QVERIFY2(!std::isnan(error), run.problem());
         const double allowed = promise.factor * std::pow(h, promise.order);
@@ -225,7 +224,7 @@ void TestReferenceScenes::sweptCrossesACrackInLongSteps() {
     const auto scene = std::find_if(referenceScenes().begin(), referenceScenes().end(),
                                     [](const ReferenceScene &s) { return s.name == "crack_1mm_rolling"; });
     QVERIFY(scene != referenceScenes().end());
-    Run run(*scene, "swept");
+    SceneRun run(*scene, "swept");
     const double error = run.error(0.01);
     QVERIFY2(error <= 1e-14, QByteArray::number(error).constData());
 }

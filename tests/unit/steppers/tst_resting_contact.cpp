@@ -15,9 +15,9 @@ using namespace support;
 namespace {
 
 constexpr double kAcceleration = 0.625; // 5 * 2^-3: 5/7 of gravity is exact
-constexpr double kDt = 0.0078125;       // 2^-7
-constexpr double kSpeed = kAcceleration * kDt;
-constexpr double kLength = kAcceleration * kDt * kDt;
+constexpr double kRestDt = 0.0078125;   // 2^-7
+constexpr double kRestSpeed = kAcceleration * kRestDt;
+constexpr double kLength = kAcceleration * kRestDt * kRestDt;
 
 /// The ball touches the wall to its left and is pressed against it.
 Experiment leaning(const QByteArray &stepper, double restitution, bool asReported) {
@@ -29,7 +29,7 @@ Experiment leaning(const QByteArray &stepper, double restitution, bool asReporte
     return ball;
 }
 
-double speedOf(const Experiment &ball) { return ball.state.velocity.x / kSpeed; }
+double speedOf(const Experiment &ball) { return ball.state.velocity.x / kRestSpeed; }
 double heightOf(const Experiment &ball) { return (ball.state.position.x - 0.0625) / kLength; }
 
 /// The result of `steps` steps, in the units of model.md 10.3.
@@ -42,7 +42,7 @@ struct Bouncing {
 Bouncing watch(Experiment &ball, int steps) {
     Bouncing seen;
     for (int i = 0; i < steps; ++i) {
-        if (!ball.step(kDt)) return seen;
+        if (!ball.step(kRestDt)) return seen;
         if (ball.report.event_count > 0) seen.fastest = std::max(seen.fastest, speedOf(ball));
         seen.highest = std::max(seen.highest, heightOf(ball));
     }
@@ -148,7 +148,7 @@ void TestRestingContact::withoutCuresElasticBallHeatsUpAsPredicted() {
     Experiment ball = leaning(stepper, 1.0, true);
     int step = 0;
     for (int k = 1; k <= 20; ++k) {
-        for (; step < stepsFactor * k * k; ++step) QVERIFY2(ball.step(kDt), ball.error());
+        for (; step < stepsFactor * k * k; ++step) QVERIFY2(ball.step(kRestDt), ball.error());
         // RK4 divides by 6, so its velocity is rounded in each step, and a bounce one step later or earlier would be
         // off by 1.
         const double slack = stepper == "rk4" ? rounding(4.0 * step, 40.0) : 0.0;
@@ -159,7 +159,7 @@ void TestRestingContact::withoutCuresElasticBallHeatsUpAsPredicted() {
 void TestRestingContact::withoutCuresSymplecticEulerStaysWithinOneStepsSpeed() {
     Experiment ball = leaning("symplectic-euler", 1.0, true);
     for (int i = 0; i < 1000; ++i) {
-        QVERIFY2(ball.step(kDt), ball.error());
+        QVERIFY2(ball.step(kRestDt), ball.error());
         COMPARE_EXACT(speedOf(ball), i % 2 == 0 ? 1.0 : 0.0); // V = 1, 0, 1, 0 ..
         COMPARE_EXACT(heightOf(ball), 0.0);
     }
@@ -181,7 +181,7 @@ void TestRestingContact::withoutCuresBallEndsInThePredictedCycle() {
     QFETCH(double, height);
     Experiment ball = leaning(stepper, 0.8, true);
     // Each bounce brings it closer by the factor 0.8: after 200 bounces only rounding is left.
-    QVERIFY2(ball.stepTimes(4000, kDt), ball.error());
+    QVERIFY2(ball.stepTimes(4000, kRestDt), ball.error());
     const Bouncing seen = watch(ball, 100);
     QVERIFY2(seen.isDone, ball.error());
     // The position carries roundings of R / kLength = 1640 units.
@@ -199,7 +199,7 @@ void TestRestingContact::withoutCuresStickyBallStays() {
     QFETCH(QByteArray, stepper);
     Experiment ball = leaning(stepper, 0.0, true);
     for (int i = 0; i < 1000; ++i) {
-        QVERIFY2(ball.step(kDt), ball.error());
+        QVERIFY2(ball.step(kRestDt), ball.error());
         COMPARE_EXACT(heightOf(ball), 0.0);
         // Explicit Euler alternates between 0 and one step's speed into the wall: model.md 10.3.
         const double expected = stepper == "explicit-euler" && i % 2 == 0 ? -1.0 : 0.0;
@@ -223,7 +223,7 @@ void TestRestingContact::restsInContactWithoutMoving() {
     QFETCH(double, restitution);
     Experiment ball = leaning(stepper, restitution, false);
     for (int i = 0; i < 2000; ++i) {
-        QVERIFY2(ball.step(kDt), ball.error());
+        QVERIFY2(ball.step(kRestDt), ball.error());
         QVERIFY(heightOf(ball) == 0.0 && speedOf(ball) == 0.0);
     }
 }
@@ -242,20 +242,20 @@ void TestRestingContact::comesToRestFromAFastBounce() {
     QFETCH(QByteArray, stepper);
     QFETCH(int, lastStep);
     Experiment ball = leaning(stepper, 0.8, false);
-    ball.roll(10.3 * kSpeed, 0.0);
-    QVERIFY2(ball.stepTimes(static_cast<uint64_t>(lastStep) - 1, kDt), ball.error());
+    ball.roll(10.3 * kRestSpeed, 0.0);
+    QVERIFY2(ball.stepTimes(static_cast<uint64_t>(lastStep) - 1, kRestDt), ball.error());
     QVERIFY(speedOf(ball) != 0.0);
-    QVERIFY2(ball.step(kDt), ball.error());
+    QVERIFY2(ball.step(kRestDt), ball.error());
     for (int i = 0; i < 100; ++i) {
         QVERIFY(speedOf(ball) == 0.0 && heightOf(ball) == 0.0);
-        QVERIFY2(ball.step(kDt), ball.error());
+        QVERIFY2(ball.step(kRestDt), ball.error());
     }
 }
 
 void TestRestingContact::explicitEulerCyclesWhateverTheCures() {
     Experiment ball = leaning("explicit-euler", 0.8, false);
-    ball.roll(10.3 * kSpeed, 0.0);
-    QVERIFY2(ball.stepTimes(4000, kDt), ball.error());
+    ball.roll(10.3 * kRestSpeed, 0.0);
+    QVERIFY2(ball.stepTimes(4000, kRestDt), ball.error());
     const Bouncing seen = watch(ball, 500);
     QVERIFY2(seen.isDone, ball.error());
     QVERIFY2(seen.fastest > 2.0, QByteArray::number(seen.fastest)); // above the rest rule's limit
@@ -273,8 +273,8 @@ void TestRestingContact::slidesAlongTheWallAsIfItWereFree() {
     free.roll(0.0, 0.5);
     if (promiseOf(stepper).heats) QSKIP("Explicit Euler doesn't stay in contact: model.md 10.3");
     for (int i = 0; i < 200; ++i) {
-        QVERIFY2(leaning.step(kDt), leaning.error());
-        QVERIFY2(free.step(kDt), free.error());
+        QVERIFY2(leaning.step(kRestDt), leaning.error());
+        QVERIFY2(free.step(kRestDt), free.error());
         QVERIFY(leaning.state.position.x == 0.0625 && leaning.state.velocity.x == 0.0);
         QVERIFY(leaning.state.position.y == free.state.position.y);
         QVERIFY(leaning.state.velocity.y == free.state.velocity.y);
@@ -287,12 +287,12 @@ void TestRestingContact::leavesTheWallWhenGravityTurns() {
     const auto scene = SceneBuilder().ball(0.0625).floor(-1, -9, 9, 9).wall(-1, -9, 0, 9).start(0.0625, 0.0);
     Experiment ball(scene, stepper, model);
     ball.setLaw(-0.625, 0.0);
-    if (!promiseOf(stepper).heats) QVERIFY2(ball.stepTimes(100, kDt), ball.error());
+    if (!promiseOf(stepper).heats) QVERIFY2(ball.stepTimes(100, kRestDt), ball.error());
     ball.setLaw(0.625, 0.0);
-    QVERIFY2(ball.stepTimes(128, kDt), ball.error());
+    QVERIFY2(ball.stepTimes(128, kRestDt), ball.error());
     // After one second: the free motion from rest, 0.625 and half of it, first order at worst.
     COMPARE_EXACT(ball.state.velocity.x, 0.625);
-    COMPARE_WITHIN(ball.state.position.x, 0.0625 + 0.3125, 0.625 * kDt);
+    COMPARE_WITHIN(ball.state.position.x, 0.0625 + 0.3125, 0.625 * kRestDt);
 }
 
 /// It lands against gravity, loses that speed on the floor, and neither rolls there nor is held.
@@ -327,7 +327,7 @@ void TestRestingContact::leavesAWallsTopThatGravityPullsItFrom() {
     ball.state.position = {0.0, 0.0, 1.0625};
     ball.params.gravity = {0.5, 0.0, 0.25};
     ball.params.rolling_friction = 0.25;
-    QVERIFY2(ball.stepTimes(128, kDt), ball.error());
+    QVERIFY2(ball.stepTimes(128, kRestDt), ball.error());
     QVERIFY(ball.state.flags & PHYS_AIRBORNE);
     COMPARE_EXACT(ball.state.velocity.x, 0.5);
     COMPARE_EXACT(ball.state.velocity.z, 0.25);
@@ -358,7 +358,7 @@ void TestRestingContact::restsInACornerWhateverTheTilt() {
     ball.params.restitution_wall = 0.8;
     for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
         ball.setLaw(-0.625 * share, -0.625 * (1.0 - share));
-        QVERIFY2(ball.stepTimes(50, kDt), ball.error());
+        QVERIFY2(ball.stepTimes(50, kRestDt), ball.error());
         QVERIFY(ball.state.position.x == 0.0625 && ball.state.position.y == 0.0625);
         QVERIFY(ball.state.velocity.x == 0.0 && ball.state.velocity.y == 0.0);
     }
@@ -373,10 +373,10 @@ void TestRestingContact::havingRestedChangesNoAnswer() {
     rested.params.wall_friction = 0.5;
     rested.params.sliding_friction = 0.5;
     rested.setLaw(-0.625, -0.3125);
-    QVERIFY2(rested.stepTimes(5, kDt), rested.error());
+    QVERIFY2(rested.stepTimes(5, kRestDt), rested.error());
     QVERIFY(rested.state.flags & PHYS_AT_REST);
     const auto stepOf = [](phys_stepper *by, const phys_params &params, phys_state state) {
-        phys_step(by, &params, kDt, &state, &state, nullptr, nullptr);
+        phys_step(by, &params, kRestDt, &state, &state, nullptr, nullptr);
         return state;
     };
     const phys_state before = rested.state;
@@ -414,7 +414,7 @@ void TestRestingContact::wallTakesItsPartOfTheDriveBeforeStiction() {
     for (const bool above : {false, true}) {
         Experiment ball(scene, stepper, model);
         ball.setLaw(-1.25, above ? 0.3125 * (1.0 + std::ldexp(1.0, -30)) : 0.3125, 0.3125);
-        QVERIFY2(ball.stepTimes(100, kDt), ball.error());
+        QVERIFY2(ball.stepTimes(100, kRestDt), ball.error());
         QCOMPARE(ball.state.velocity.y > 0.0, above);
         QCOMPARE((ball.state.flags & PHYS_AT_REST) == 0, above);
         QVERIFY(ball.state.position.x == 0.0625);
@@ -443,7 +443,7 @@ void TestRestingContact::restsWithoutGravityWhereverItIs() {
         ball.params.gravity = {0.0, 0.0, 0.0};
         ball.state.position.z += height;
         const phys_vec3 start = ball.state.position;
-        QVERIFY2(ball.step(kDt), ball.error());
+        QVERIFY2(ball.step(kRestDt), ball.error());
         QCOMPARE(ball.state.flags, static_cast<uint64_t>(PHYS_AT_REST | (height > 0.0 ? PHYS_AIRBORNE : 0)));
         COMPARE_EXACT(ball.state.position.z, start.z);
     }
@@ -457,9 +457,9 @@ void TestRestingContact::aDeckCarriesTheBallWithoutPressure() {
     Experiment ball = onADeck(stepper, model);
     ball.params.gravity = {1.0, 0.0, 0.0};
     ball.params.sliding_friction = 0.5;
-    QVERIFY2(ball.stepTimes(64, kDt), ball.error());
+    QVERIFY2(ball.stepTimes(64, kRestDt), ball.error());
     const bool rolls = model == PHYS_MODEL_ROLLING;
-    const double speed = (rolls ? 5.0 / 7.0 : 1.0) * 64.0 * kDt;
+    const double speed = (rolls ? 5.0 / 7.0 : 1.0) * 64.0 * kRestDt;
     COMPARE_WITHIN(ball.state.velocity.x, speed, rounding(128, 1.0));
     COMPARE_WITHIN(ball.state.spin.y, rolls ? speed / 0.0625 : 0.0, rounding(256, 16.0));
     QCOMPARE(ball.state.flags & PHYS_AIRBORNE, 0U);

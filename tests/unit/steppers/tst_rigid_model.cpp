@@ -13,10 +13,10 @@ using namespace support;
 
 namespace {
 
-constexpr double kBallRadius = 0.0625;
+constexpr double kRigidRadius = 0.0625;
 
 SceneBuilder wallOnTheLeft() {
-    return SceneBuilder().ball(kBallRadius).floor(-9, -9, 9, 9).wall(-1, -9, 0, 9).start(kBallRadius, 0.0);
+    return SceneBuilder().ball(kRigidRadius).floor(-9, -9, 9, 9).wall(-1, -9, 0, 9).start(kRigidRadius, 0.0);
 }
 
 Experiment rigid(const SceneBuilder &scene, const QByteArray &stepper, double slidingFriction) {
@@ -106,13 +106,13 @@ void TestRigidModel::rollingBallKeepsTheEffectiveRestitution() {
 void TestRigidModel::slipAfterABounceLastsAsLongAsPredicted() {
     QFETCH(QByteArray, stepper);
     Experiment ball = rigid(wallOnTheLeft(), stepper, 0.3);
-    ball.setPosition(kBallRadius + 0x1p-20, 0.0);
+    ball.setPosition(kRigidRadius + 0x1p-20, 0.0);
     ball.roll(-0.5, 0.0);
     const double dt = 0x1p-12;
     QVERIFY2(stepUntilItRolls(ball, dt, 8192).rolls, ball.error());
     // model.md 12.2: t_s, the path, 1/7; the impact is at most a step late, and so is the end of the slip.
     COMPARE_WITHIN(ball.state.time, 0.087374399301004805592, 2.0 * dt);
-    COMPARE_WITHIN(ball.state.position.x - kBallRadius, 0.023715908381701304375, 2.0 * 0.4 * dt);
+    COMPARE_WITHIN(ball.state.position.x - kRigidRadius, 0.023715908381701304375, 2.0 * 0.4 * dt);
     COMPARE_WITHIN(ball.state.velocity.x, 1.0 / 7.0, rounding(1e4, 0.5));
 }
 
@@ -122,7 +122,7 @@ void TestRigidModel::slipsAfterABounceAsOnTheFloorAlone() {
     Experiment ball = rigid(wallOnTheLeft(), stepper, 0.25);
     ball.params.gravity = {0.25, -0.5, -9.81};
     ball.params.restitution_wall = 0.5;
-    ball.setPosition(kBallRadius, 0.0); // it touches the wall
+    ball.setPosition(kRigidRadius, 0.0); // it touches the wall
     ball.roll(-0.5, 0.25);
     Experiment alone = rigid(openFloor(), stepper, 0.25);
     alone.params.gravity = ball.params.gravity;
@@ -159,7 +159,7 @@ void TestRigidModel::roughWallLiftsTheBall() {
     Experiment ball = rigid(wallOnTheLeft(), stepper, 0.3);
     if (!ball.isReady()) QSKIP(ball.error());
     ball.params.wall_friction = wallFriction;
-    ball.setPosition(kBallRadius + 0x1p-12, 0.0);
+    ball.setPosition(kRigidRadius + 0x1p-12, 0.0);
     ball.roll(-0.7, 0.4);
     bool bounced = false;
     const double dt = 0x1p-10;
@@ -245,7 +245,7 @@ void TestRigidModel::slipsOnASlopeTooSteepForFriction() {
     QVERIFY2(ball.stepFor(1.0, 1.0 / 128.0), ball.error());
     COMPARE_WITHIN(ball.state.velocity.x, 4.0, rounding(1e3, 4.0));
     // w' = (5/2) mu_s gn.
-    COMPARE_WITHIN(ball.state.spin.y * kBallRadius, 2.5, rounding(1e3, 4.0));
+    COMPARE_WITHIN(ball.state.spin.y * kRigidRadius, 2.5, rounding(1e3, 4.0));
 }
 
 void TestRigidModel::rollsInTheGrooveOfFloorAndRoughWall() {
@@ -260,7 +260,7 @@ void TestRigidModel::rollsInTheGrooveOfFloorAndRoughWall() {
     const double slack = promiseOf(stepper).smooth == 0 ? rounding(1e4, 1.0) : dt;
     COMPARE_WITHIN(ball.state.velocity.y, 5.0 / 9.0 * 0.5, slack);
     COMPARE_WITHIN(ball.state.position.y, 5.0 / 9.0 * 0.5 / 2.0, slack);
-    COMPARE_EXACT(ball.state.position.x, kBallRadius);
+    COMPARE_EXACT(ball.state.position.x, kRigidRadius);
 }
 
 void TestRigidModel::resistanceDoesNotSpendTheFrictionOfFloorAndKerb() {

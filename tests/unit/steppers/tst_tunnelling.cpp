@@ -12,7 +12,7 @@ namespace {
 // R = h and dt as in model.md 12.3 but rounded to powers of two, so that the limits 0.5, 0.75 and 1.5 m/s are exact.
 constexpr double kSmallRadius = 0.00390625;
 constexpr double kThickness = 0.00390625;
-constexpr double kStep = 0.0078125;
+constexpr double kFlightStep = 0.0078125;
 constexpr int kPhases = 64;
 
 SceneBuilder thinWall() {
@@ -20,24 +20,24 @@ SceneBuilder thinWall() {
 }
 
 /// The outcome at one phase.
-struct Passage {
+struct Flight {
     bool isSeen = false;
     bool isThrough = false;
     bool isDone = false;
 };
 
 /// Runs towards +x (direction 1) or -x (-1) from a start such that a step ends `phase` of a step before the contact.
-Passage run(const QByteArray &stepper, bool asReported, double speed, double direction, int phase) {
+Flight fly(const QByteArray &stepper, bool asReported, double speed, double direction, int phase) {
     Experiment ball(thinWall(), stepper);
     if (hasOwnRow(stepper, "as_reported")) ball.params.stepper[0] = asReported ? 1.0 : 0.0;
     const double face = direction > 0 ? 0.0 : kThickness;
     const double touch = face - direction * kSmallRadius;
-    const double ahead = (2.0 + static_cast<double>(phase) / kPhases) * speed * kStep;
+    const double ahead = (2.0 + static_cast<double>(phase) / kPhases) * speed * kFlightStep;
     ball.setPosition(touch - direction * ahead, 0.0);
     ball.roll(direction * speed, 0.0);
-    Passage passage;
+    Flight passage;
     for (int i = 0; i < 12; ++i) {
-        if (!ball.step(kStep)) return passage;
+        if (!ball.step(kFlightStep)) return passage;
         if (ball.report.event_count > 0) passage.isSeen = true;
     }
     passage.isThrough = direction * (ball.state.position.x - kThickness / 2) > 0;
@@ -85,7 +85,7 @@ void TestTunnelling::withoutSubstepsComesOutOnTheRightSide() {
     QFETCH(double, speed);
     for (const double direction : {1.0, -1.0}) {
         for (int phase = 0; phase < kPhases; ++phase) {
-            const Passage passage = run(stepper, true, speed, direction, phase);
+            const Flight passage = fly(stepper, true, speed, direction, phase);
             QVERIFY(passage.isDone && passage.isSeen && !passage.isThrough);
         }
     }
@@ -97,7 +97,7 @@ void TestTunnelling::withoutSubstepsIsSeen() {
     QFETCH(QByteArray, stepper);
     QFETCH(double, speed);
     for (int phase = 0; phase < kPhases; ++phase) {
-        const Passage passage = run(stepper, true, speed, 1.0, phase);
+        const Flight passage = fly(stepper, true, speed, 1.0, phase);
         QVERIFY(passage.isDone && (passage.isSeen || passage.isThrough));
     }
 }
@@ -109,7 +109,7 @@ void TestTunnelling::withoutSubstepsMayBePushedOutOnTheFarSide() {
     QFETCH(double, speed);
     int through = 0;
     for (int phase = 0; phase < kPhases; ++phase) {
-        const Passage passage = run(stepper, true, speed, 1.0, phase);
+        const Flight passage = fly(stepper, true, speed, 1.0, phase);
         QVERIFY(passage.isDone);
         if (passage.isThrough) ++through;
     }
@@ -123,7 +123,7 @@ void TestTunnelling::withoutSubstepsIsMissedAtSomePhase() {
     QFETCH(double, speed);
     int missed = 0;
     for (int phase = 0; phase < kPhases; ++phase) {
-        const Passage passage = run(stepper, true, speed, 1.0, phase);
+        const Flight passage = fly(stepper, true, speed, 1.0, phase);
         QVERIFY(passage.isDone);
         if (!passage.isSeen && passage.isThrough) ++missed;
     }
@@ -137,7 +137,7 @@ void TestTunnelling::isNeverPassed() {
     QFETCH(double, speed);
     for (const double direction : {1.0, -1.0}) {
         for (int phase = 0; phase < kPhases; ++phase) {
-            const Passage passage = run(stepper, false, speed, direction, phase);
+            const Flight passage = fly(stepper, false, speed, direction, phase);
             QVERIFY(passage.isDone && passage.isSeen && !passage.isThrough);
         }
     }
@@ -149,10 +149,10 @@ void TestTunnelling::aThousandthOfARadiusIsAWall() {
         SceneBuilder().ball(kSmallRadius).floor(-9, -1, 9, 1).wall(0.0, -1.0, kSmallRadius / 1000.0, 1.0);
     for (int phase = 0; phase < kPhases; ++phase) {
         Experiment ball(scene, stepper);
-        ball.setPosition(-0.125 - 2.0 * kStep * phase / kPhases, 0.0);
+        ball.setPosition(-0.125 - 2.0 * kFlightStep * phase / kPhases, 0.0);
         ball.roll(2.0, 0.0);
         for (int i = 0; i < 40; ++i) {
-            QVERIFY2(ball.step(kStep), ball.error());
+            QVERIFY2(ball.step(kFlightStep), ball.error());
             QVERIFY(ball.state.position.x < 0.0);
         }
         QVERIFY(ball.state.velocity.x < 0.0);
