@@ -34,7 +34,7 @@ double sumOf(const std::array<double, 4> &parts) { return parts[0] + parts[1] + 
 /// Of the sum of N: the direction of a slip with few digits has few digits itself, and where two pushes are nearly
 /// opposite it takes much of them to balance little.
 double roundingOf(const Exchange &exchange, const Motion &motion, const Touching &touching, const MovingBall &ball) {
-    constexpr double kSame = 2e-9, kDirection = 16.0 * 0x1p-52;
+    constexpr double kSame = 2e-12, kDirection = 16.0 * 0x1p-52;
     double angle = 0.0; // the largest of the sets that may carry the load, so that it is the same for each of them
     for (size_t i = 0; i < exchange.count; ++i) angle = std::max(angle, std::abs(exchange.shares[i]));
     angle *= std::abs(exchange.determinant(exchange.pushes[0], exchange.pushes[1], exchange.pushes[2]));
