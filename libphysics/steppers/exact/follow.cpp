@@ -234,6 +234,27 @@ private:
     std::array<bool, 2> m_has;
 };
 
+/// Gives the ball the spin of rolling on the floors that hold it.
+void rollOnTops(uint32_t sticking, double rounding, const Touching &touching, const Response &response,
+                MovingBall &ball) {
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (!touching.contactOf(i).isTop) continue;
+        const Vec3 &normal = touching.held(i).normal;
+        const bool sticks = sticking >> i & 1U && glm::length(slipAt(ball.moment(), normal)) <= rounding;
+        const bool isGlued = touching.held(i).isGlued && isClosed(response, i); // model.md 2.1 R7
+        if (sticks || isGlued) ball.roll();
+    }
+}
+
+/// Whether the ball slips at a contact that holds it, by no more than rounding but more than the law takes for none.
+bool slips(uint32_t sticking, const Touching &touching, const MovingBall &ball) {
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if ((sticking >> i & 1U) && !isNoSlip(ball.moment(), slipAt(ball.moment(), touching.held(i).normal)))
+            return true;
+    }
+    return false;
+}
+
 /// Makes exact what holds at the end of a phase.
 void settle(const Event &event, const Response &response, MovingBall &ball, Touching &touching) {
     const End &end = event.end;
@@ -258,12 +279,11 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
         keepFaces(touching, response, ball);
         stopAcross(touching, response, ball);
     }
-    for (uint32_t i = 0; i < touching.count(); ++i) {
-        if (!touching.contactOf(i).isTop) continue;
-        const Vec3 &normal = touching.held(i).normal;
-        const bool sticks = sticking >> i & 1U && glm::length(slipAt(ball.moment(), normal)) <= rounding;
-        const bool isGlued = touching.held(i).isGlued && isClosed(response, i); // model.md 2.1 R7
-        if (sticks || isGlued) ball.roll();
+    rollOnTops(sticking, rounding, touching, response, ball);
+    // What is left of a slip beyond the law's own rounding would be taken for one.
+    for (int sweep = 0; sweep < 8 && slips(sticking, touching, ball); ++sweep) {
+        clearSlips(end, sticking, rounding, touching, response, ball);
+        rollOnTops(sticking, rounding, touching, response, ball);
     }
     if (end.cause == Cause::border) keepBorders(event.border, ball);
 }
