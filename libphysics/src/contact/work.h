@@ -10,7 +10,7 @@ namespace phys {
 class Work {
 public:
     /// Limit for one step.
-    static constexpr uint64_t kMost = 16'000'000;
+    static constexpr uint64_t kMost = 15'000'000;
 
     static constexpr uint64_t kEvent = 150;    ///< an event: its impacts and its lasting contacts
     static constexpr uint64_t kTouch = 40;     ///< what is touched, and which of it lasts, besides the boxes
