@@ -8,7 +8,7 @@
 #include "core/session/game.h"
 #include "core/session/growing_registry.h"
 #include "core/session/hand_tilt.h"
-#include "core/session/levels.h"
+#include "core/session/level_selection.h"
 #include "core/session/live_uncertainty.h"
 #include "core/session/look_ahead.h"
 #include "core/session/playback.h"
@@ -63,7 +63,7 @@ public:
     LookAhead &lookAhead() { return m_lookAhead; }
     LiveUncertainty &liveUncertainty() { return m_liveUncertainty; }
     QSettings &settings() { return m_settings; }
-    const Levels &levels() const { return m_levels; }
+    const LevelSelection &levels() const { return m_levels; }
     const Level &level() const { return m_levels.open(); } ///< of the moment shown
     const Scene &scene() const { return m_levels.scene(); }
     const Registry &registry() const { return m_registry.now(); }
@@ -239,7 +239,7 @@ private:
 
     QSettings &m_settings;
     GrowingRegistry m_registry;
-    Levels m_levels;
+    LevelSelection m_levels;
     QByteArray m_stepperId;
     double m_dt = Engine::kDefaultDt;
     double m_speed = 1.0;

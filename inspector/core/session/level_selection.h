@@ -13,9 +13,9 @@
 namespace inspector {
 
 /// The levels on offer and the open one, which may be a file that isn't among them.
-class Levels {
+class LevelSelection {
 public:
-    Levels(const std::vector<Level> &listed, const Level &open, const Scene &scene);
+    LevelSelection(const std::vector<Level> &listed, const Level &open, const Scene &scene);
 
     const std::vector<Level> &listed() const { return m_listed; }
     QStringList mazes() const; ///< identifies the maze of each, for best times; isn't empty
