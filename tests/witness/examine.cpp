@@ -135,6 +135,13 @@ std::vector<Symmetry> symmetries() {
 bool equal(const phys_vec3 &a, const phys_vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 bool isFinite(const phys_vec3 &v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+/// CPU time of this thread, s, so that others don't count.
+double cpuTime() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 struct Observation {
     phys_status status;
     phys_state out;
@@ -208,10 +215,9 @@ private:
         std::memset(&out, 0x5a, sizeof out);
         const phys_state pattern = out;
         phys_error error{};
-        const std::clock_t begin = std::clock(); // of this process, so that others don't count
+        const double begin = cpuTime();
         const phys_status status = phys_step(m_engine.stepper.get(), &m_params, leg.dt, &in, &out, &m_report, &error);
-        const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-        m_verdict.seconds = std::max(m_verdict.seconds, taken);
+        m_verdict.seconds = std::max(m_verdict.seconds, cpuTime() - begin);
         if (status && !m_verdict.status) {
             m_verdict.status = status;
             m_verdict.statusText = error.text;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Draws scenes and checks steppers in them until the given number of runs (scenes x steppers x models) is done.
 // Usage: witness RUNS [--seed N] [--stepper ID]... [--model rolling|rigid] [--kind KIND] [--plugin FILE] [--known FILE]
-//                     [--cases FOLDER] [--list FILE] [--seconds S] [--only invariants|law]
+//                     [--cases FOLDER] [--list FILE] [--seconds S] [--only invariants|law] [--threads N]
 //        witness --replay FILE [--stepper ID] [--plugin FILE]      judges the cases of a file
+// SIGINT and SIGTERM end it after the seeds that are begun, with the table of all that are done.
 // Exits with 1 if anything was wrong that isn't in the list of known faults.
 #include "draw.h"
 #include "survey.h"
@@ -10,6 +11,8 @@
 #include "support/handles.h"
 
 #include <algorithm>
+#include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -18,12 +21,15 @@ namespace {
 
 using namespace witness;
 
+std::atomic<bool> isInterrupted = false;
+
 struct Arguments {
     double runs = 0;
     std::string replay, plugin, known, cases, list, model, kind, only;
     std::vector<std::string> steppers;
     uint64_t seed = 1;
     double seconds = 1e9;
+    unsigned threads = 1;
 };
 
 Arguments parse(int argc, char **argv) {
@@ -58,6 +64,8 @@ Arguments parse(int argc, char **argv) {
             arguments.seed = std::strtoull(value.c_str(), nullptr, 10);
         else if (word == "--seconds")
             arguments.seconds = std::strtod(value.c_str(), nullptr);
+        else if (word == "--threads")
+            arguments.threads = static_cast<unsigned>(std::strtoul(value.c_str(), nullptr, 10));
         else
             throw std::runtime_error(word + ": unknown option");
     }
@@ -105,6 +113,9 @@ int run(int argc, char **argv) {
     plan.firstSeed = arguments.seed;
     plan.runs = static_cast<uint64_t>(arguments.runs);
     plan.seconds = arguments.seconds;
+    plan.stops = &isInterrupted;
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { isInterrupted = true; });
+    plan.threads = arguments.threads;
     plan.withInvariants = arguments.only != "law";
     plan.withLaw = arguments.only != "invariants";
     plan.caseFolder = arguments.cases;

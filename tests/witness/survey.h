@@ -4,6 +4,7 @@
 
 #include "judge.h"
 
+#include <atomic>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -37,10 +38,12 @@ struct Plan {
     uint64_t firstSeed = 1;
     uint64_t runs = 0; ///< scenes x steppers x models
     bool withInvariants = true;
-    bool withLaw = true;    ///< scenes are also compared with the brute force, which takes most of the time
-    double seconds = 1e9;   ///< after which no new seed is begun
-    std::string caseFolder; ///< where to write failing cases, shrunk; "": they are named only
-    std::string listFile;   ///< where to write a line for each run that fails or is refused; "": nowhere
+    bool withLaw = true;  ///< scenes are also compared with the brute force, which takes most of the time
+    double seconds = 1e9; ///< after which no new seed is begun
+    const std::atomic<bool> *stops = nullptr; ///< if given: true ends it likewise
+    unsigned threads = 1;                     ///< which share the seeds
+    std::string caseFolder;                   ///< where to write failing cases, shrunk; "": they are named only
+    std::string listFile; ///< where to write a line for each run that fails or is refused; "": nowhere
     KnownFaults known;
 };
 
@@ -62,15 +65,25 @@ struct Findings {
     std::map<std::string, uint64_t> wrong, refused; ///< by stepper; refused although there is an answer
 };
 
+/// Runs of one kind of scene under one stepper that were refused for the same reason although there is an answer.
+struct Refusals {
+    uint64_t count = 0;
+    std::string first; ///< message
+};
+
 struct Survey {
     std::map<std::string, Row> rows;       ///< by "stepper model"
     std::map<std::string, Findings> kinds; ///< by kind of scene
     uint64_t runs = 0;
-    uint64_t wrong = 0; ///< without known faults
+    uint64_t wrong = 0;   ///< without known faults
+    uint64_t refused = 0; ///< although there is an answer
     uint64_t withoutAnswer = 0;
-    std::map<std::string, std::string> refusals; ///< by status and kind of scene: the first message
+    std::map<std::string, Refusals> refusals; ///< by "kind stepper status"
+    uint64_t nextSeed = 0;                    ///< all before it are done
+    double seconds = 0.0;
 };
 
+/// Says each minute how far it is.
 Survey survey(const Plan &plan);
 
 void print(std::FILE *file, const Survey &survey);

@@ -81,6 +81,7 @@ private slots:
     void aWrongLineOfACaseIsNamed();
     void aKnownFaultIsMatchedByItsWords();
     void theSameNumberDrawsTheSameScene();
+    void threadsShareTheRunsOfASurvey();
 };
 
 void Witness::bruteForceConvergesToTheReferences_data() {
@@ -227,6 +228,26 @@ void Witness::aKnownFaultIsMatchedByItsWords() {
     QVERIFY(known.contain("exact", "rigid", "tiles", "inside"));
     QVERIFY(!known.contain("exact", "rigid", "tiles", "law"));
     QVERIFY(!known.contain("swept", "rigid", "tiles", "inside"));
+}
+
+void Witness::threadsShareTheRunsOfASurvey() {
+    Plan plan;
+    plan.steppers = {"swept"};
+    plan.kinds = {0, 1, 2};
+    plan.firstSeed = 4;
+    plan.runs = 24;
+    plan.withLaw = false;
+    const Survey alone = survey(plan);
+    plan.threads = 3;
+    const Survey shared = survey(plan);
+    QCOMPARE(alone.runs, uint64_t(24));
+    QCOMPARE(alone.nextSeed, uint64_t(8));
+    QCOMPARE(shared.runs, alone.runs);
+    QCOMPARE(shared.nextSeed, alone.nextSeed);
+    for (const auto &[name, row] : alone.rows) {
+        QCOMPARE(shared.rows.at(name).steps, row.steps);
+        QVERIFY(shared.rows.at(name).byStatus == row.byStatus);
+    }
 }
 
 void Witness::theSameNumberDrawsTheSameScene() {
