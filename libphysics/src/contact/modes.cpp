@@ -17,16 +17,47 @@ uint32_t closedContacts(std::span<const Reaction> reactions) {
     return closed;
 }
 
-/// The modes that a contact may have, counted by `index`. False beyond the last one.
-bool modeOf(const Held &held, const Reaction &reaction, uint32_t index, Mode &mode) {
-    const bool slips = reaction.slip != Vec3(0.0);
-    const Mode smooth[] = {Mode::open, Mode::smooth}, sliding[] = {Mode::open, Mode::slipping};
-    const Mode glued[] = {Mode::open, Mode::sticking}, still[] = {Mode::open, Mode::sticking, Mode::starting};
-    if (held.isGlued) return index < 2 && (mode = glued[index], true);
-    if (held.friction == 0.0) return index < 2 && (mode = smooth[index], true);
-    if (slips) return index < 2 && (mode = sliding[index], true);
-    return index < 3 && (mode = still[index], true);
+/// The modes that a contact may have. The first one is open.
+std::span<const Mode> modesOf(const Held &held, const Reaction &reaction) {
+    static constexpr Mode smooth[] = {Mode::open, Mode::smooth}, sliding[] = {Mode::open, Mode::slipping};
+    static constexpr Mode glued[] = {Mode::open, Mode::sticking};
+    static constexpr Mode still[] = {Mode::open, Mode::sticking, Mode::starting};
+    if (held.isGlued) return glued;
+    if (held.friction == 0.0) return smooth;
+    if (reaction.slip != Vec3(0.0)) return sliding;
+    return still;
 }
+
+/// All combinations of modes in which at most so many contacts press, one after the other.
+class ModeCounter {
+public:
+    ModeCounter(std::span<const Held> held, const Response &known, uint32_t mostPressing)
+        : m_mostPressing(mostPressing) {
+        for (const Held &contact : held) m_modes[m_count] = modesOf(contact, known.reactions[m_count]), ++m_count;
+    }
+
+    Mode operator[](uint32_t i) const { return m_modes[i][m_numbers[i]]; }
+
+    /// Advances to the next combination; false after the last one.
+    bool next() {
+        for (uint32_t i = 0; i < m_count; ++i) {
+            const bool presses = m_numbers[i] > 0;
+            if ((presses || m_pressing < m_mostPressing) && m_numbers[i] + 1 < m_modes[i].size()) {
+                m_pressing += presses ? 0 : 1;
+                ++m_numbers[i];
+                return true;
+            }
+            m_pressing -= presses ? 1 : 0;
+            m_numbers[i] = 0;
+        }
+        return false;
+    }
+
+private:
+    std::array<std::span<const Mode>, kMostHeld> m_modes;
+    std::array<size_t, kMostHeld> m_numbers{};
+    uint32_t m_count = 0, m_pressing = 0, m_mostPressing;
+};
 
 /// How well a combination fits, best first: within rounding; within the accuracy of directions with few digits, such as
 /// that of a slip that has just begun; within that of directions that haven't converged; each also with shifted forces
@@ -65,27 +96,15 @@ size_t fitOf(Combination &c, bool isSettled, size_t most, double scale) {
     return kNoFit;
 }
 
-/// Sets the modes of this combination. False if they aren't allowed together.
-bool setModes(Combination &c, const std::array<uint32_t, kMostHeld> &numbers, const Response &known,
-              const Excluded &excluded) {
+/// Sets the modes of this combination; directions: of the slips. False if they aren't allowed together.
+bool setModes(Combination &c, const ModeCounter &modes, std::span<const Vec3> directions, const Excluded &excluded) {
     for (uint32_t i = 0; i < c.count(); ++i) {
-        c.reactions[i].slip = known.reactions[i].slip;
-        c.reactions[i].direction = hat(c.reactions[i].slip);
-        modeOf(c.held[i], c.reactions[i], numbers[i], c.reactions[i].mode);
+        c.reactions[i].direction = directions[i];
+        c.reactions[i].mode = modes[i];
         if ((excluded.closed >> i & 1U) && !c.isOpen(i)) return false;
         if ((excluded.sticking >> i & 1U) && c.sticks(i)) return false;
     }
-    return closedContacts(c.list()) <= c.moment.mostPressing;
-}
-
-/// Advances to the next combination; false after the last one.
-bool nextModes(std::span<const Held> held, const Response &known, std::array<uint32_t, kMostHeld> &numbers) {
-    for (uint32_t i = 0; i < held.size(); ++i) {
-        Mode unused;
-        if (modeOf(held[i], known.reactions[i], ++numbers[i], unused)) return true;
-        numbers[i] = 0;
-    }
-    return false;
+    return true;
 }
 
 Response enumerate(const Moment &moment, std::span<const Held> held, Work &work, const Excluded &excluded,
@@ -146,14 +165,19 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
     Response best = known;
     size_t bestRank = kUnranked;
     StuckForces stuckForces;
-    std::array<uint32_t, kMostHeld> numbers{};
     Combination c{moment, held, work};
     c.spent = excluded.sticking;
+    std::array<Vec3, kMostHeld> directions;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        c.reactions[i].slip = known.reactions[i].slip;
+        directions[i] = hat(known.reactions[i].slip);
+    }
     const auto tryAll = [&] {
+        ModeCounter modes(held, known, moment.mostPressing);
         do {
             c.rolling = Vec3(0.0);
             c.most = bestRank == 0 ? sumOfPressures(best.list()) : INFINITY;
-            if (!setModes(c, numbers, known, excluded)) continue;
+            if (!setModes(c, modes, directions, excluded)) continue;
             const bool isSettled = settle(c, stuckForces);
             if (!isSettled && (bestRank < kFirstRough || c.searches)) continue;
             if (bestRank == 0 && !isBetter(c, best, scale)) continue;
@@ -167,7 +191,7 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
             best.acceleration = c.acceleration;
             best.spinAcceleration = c.spinAcceleration;
             best.rolling = c.isHeld() ? Vec3(0.0) : c.rolling;
-        } while (nextModes(held, known, numbers) && !work.isTooMuch());
+        } while (modes.next() && !work.isTooMuch());
     };
     tryAll();
     c.searches = bestRank == kUnranked;
