@@ -43,14 +43,20 @@ void rub(const Contacts &contacts, const Round &round, double radius, Motion &mo
     if (count > 0) minimiseSlipEnergy({discs.data(), count}, radius, motion, work);
 }
 
+/// The contacts that bounce; if there are none, those that the ball approaches more slowly. These last: together with
+/// the others, friction would act there as in an impact.
 Round approaching(const Contacts &contacts, const Motion &motion, double negligible) {
+    const auto approach = [&](const Contact &contact) { return -glm::dot(motion.velocity, contact.normal); };
+    const auto bounces = [&](const Contact &contact) {
+        return approach(contact) > std::max(contact.restSpeed, negligible);
+    };
+    const bool anyBounces = std::any_of(contacts.begin(), contacts.end(), bounces);
     Round round;
     for (uint32_t i = 0; i < contacts.count(); ++i) {
         const Contact &contact = contacts[i];
-        const double approach = -glm::dot(motion.velocity, contact.normal);
-        if (approach <= negligible) continue;
-        const double restitution = approach > contact.restSpeed ? contact.restitution : 0.0;
-        round.add(i, contact.normal, (1.0 + restitution) * approach);
+        if (anyBounces ? !bounces(contact) : approach(contact) <= negligible) continue;
+        const double restitution = anyBounces ? contact.restitution : 0.0;
+        round.add(i, contact.normal, (1.0 + restitution) * approach(contact));
     }
     return round;
 }
