@@ -158,7 +158,9 @@ LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, 
         return lasting;
     };
     LastingContacts closing = solve(h);
-    if (!(kineticEnergy(context, motion) > (1.0 + kMostGain) * kineticEnergy(context, driven))) return closing;
+    const double fallen = h * glm::dot(context.setting.gravity(), motion.velocity);
+    const double gain = kineticEnergy(context, motion) - kineticEnergy(context, before) - fallen;
+    if (!(gain > kMostGain * kineticEnergy(context, driven))) return closing;
     return solve(INFINITY);
 }
 
