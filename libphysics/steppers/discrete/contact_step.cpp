@@ -477,8 +477,9 @@ SpinOnFloor::SpinOnFloor(const StepContext &context, const Contacts &contacts, c
 }
 
 void SpinOnFloor::follow(const Contacts &contacts, Ball &ball) {
+    const double negligible = negligibleSpeed(motionOf(ball), m_context.radius());
     m_follows = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
-        return contact.isGlued && ball.velocity.z <= contact.restSpeed;
+        return contact.isGlued && ball.velocity.z <= std::max(contact.restSpeed, negligible);
     });
     if (!m_follows) return;
     ball.spin = rollingSpinOf(m_context, ball);

@@ -276,6 +276,8 @@ private slots:
     void aSpinThatUnderflowsIsNone();
     void theIdleWallOfTwoBrakesNothing_data() { addStepperRows(); }
     void theIdleWallOfTwoBrakesNothing();
+    void aSpeedOfRoundingSizeOffAFloorIsNoFlight_data() { addStepperRows(); }
+    void aSpeedOfRoundingSizeOffAFloorIsNoFlight();
     void aBallRollsOffWhereFourContactsCouldHoldIt_data() { addStepperRows(); }
     void aBallRollsOffWhereFourContactsCouldHoldIt();
     void randomStartsAccelerateAsInExact_data() { addStepperRows(); }
@@ -326,6 +328,21 @@ Start inASlotHeldByResistance() {
     start.gravity = {1.2950033705860839, 3.566147275669898, -9.4960700885430267};
     start.floor = start.wall = 1e6;
     start.rolling = 0.70767541748982976;
+    return start;
+}
+
+Start underARoofEdgeThatPressesItOntoTheFloor() {
+    Start start;
+    start.radius = 0.006;
+    start.model = PHYS_MODEL_ROLLING;
+    start.boxes = {{{-0.24, -0.24, -0.24}, {0.24, 0.24, 0.0}},
+                   {{-0.0084286368259205921, -0.018587631889640143, 0.011846516580631208},
+                    {-0.0013484227350517297, 0.034998676316540536, 0.014417219366018301}}};
+    start.place.z = 0.006;
+    start.velocity.y = 0.1183266475482864;
+    start.spin = {8.8752364078200987, -75.452842418094832, -65.98424547371971};
+    start.gravity = {-8.539416110692013, -0.37749419983635946, 1.9593462345651549};
+    start.rolling = 0.014064752524119192;
     return start;
 }
 
@@ -413,6 +430,15 @@ void TestSeveralSolutions::theIdleWallOfTwoBrakesNothing() {
     // It turns about the line through both points, at 1/sqrt(2) from its centre: the inertia is 1 + (2/5)/(1/2).
     const double off = ball.state.velocity.y + 0.625 / 2.0 / 1.8 * kSteps * kStep;
     QVERIFY2(std::abs(off) < 1e-6, qPrintable(QStringLiteral("off by %1 m/s").arg(off)));
+}
+
+void TestSeveralSolutions::aSpeedOfRoundingSizeOffAFloorIsNoFlight() {
+    QFETCH(QByteArray, stepper);
+    Start start = underARoofEdgeThatPressesItOntoTheFloor();
+    const Accelerations wanted = accelerationsOf(stepper, start);
+    start.velocity.z = 3e-92;
+    const double off = distance(accelerationsOf(stepper, start), wanted);
+    QVERIFY2(off < 1e-3, qPrintable(QStringLiteral("off by %1 m/s^2").arg(off)));
 }
 
 /// Two press less than all four, also once their normals have turned within a step.
