@@ -42,7 +42,6 @@ void LastingContacts::closeBySticking() {
 
 /// Newton's method from the chosen impulses leads to the solution near them, if any: sweeps may lead to another one.
 bool LastingContacts::keepChoice(double rollingFriction, double negligible, Motion &motion) {
-    const double most = m_mostPressure * pressure() + negligible;
     const auto solveHere = [&] {
         return solvePressed(rollingFriction, negligible, motion) ||
                solveCoulomb({{begin(), end()}, m_radius, rollingFriction, negligible, *m_work}, motion);
@@ -56,9 +55,8 @@ bool LastingContacts::keepChoice(double rollingFriction, double negligible, Moti
         if (keepLoads(negligible)) break;
         if (!solveHere()) return false;
     }
-    const bool allStick = std::all_of(
-        begin(), end(), [](const Lasting &contact) { return !contact.closes || contact.rolls || contact.sticks(); });
-    return allStick && pressure() <= most;
+    return std::all_of(begin(), end(),
+                       [](const Lasting &contact) { return !contact.closes || contact.rolls || contact.sticks(); });
 }
 
 } // namespace phys

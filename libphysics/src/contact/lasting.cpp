@@ -508,12 +508,24 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
         motion.velocity += contact.reaction * contact.lever + contact.rubbing;
         motion.spin += contact.resisting - 2.5 / m_radius * glm::cross(contact.lever, contact.rubbing);
     }
-    if (m_isChosen) {
-        if (keepChoice(rollingFriction, negligible, motion)) return;
-        unload();
-        motion = driven;
-        m_isChosen = false;
-    }
+    if (!m_isChosen) return solveBySweeps(rollingFriction, negligible, driven, motion);
+    const double most = m_mostPressure * pressure() + negligible;
+    const bool isSolved = keepChoice(rollingFriction, negligible, motion);
+    if (isSolved && pressure() <= most) return;
+    const LastingContacts near = *this;
+    const Motion nearMotion = motion;
+    unload();
+    motion = driven;
+    m_isChosen = false;
+    solveBySweeps(rollingFriction, negligible, driven, motion);
+    // Sweeps may end in a jam, which presses far more.
+    if (!isSolved || near.pressure() >= pressure()) return;
+    *this = near;
+    motion = nearMotion;
+}
+
+/// driven: as of settleWithoutResistance.
+void LastingContacts::solveBySweeps(double rollingFriction, double negligible, const Motion &driven, Motion &motion) {
     settleWithoutResistance(negligible, driven, motion);
     stickWhileClosing(negligible, motion);
     if (relieve(negligible, motion).remains) {

@@ -71,6 +71,7 @@ private:
     /// solutions until it is found.
     static constexpr int kMostShares = 20;
 
+    void solveBySweeps(double rollingFriction, double negligible, const Motion &driven, Motion &motion);
     bool keepChoice(double rollingFriction, double negligible, Motion &motion);
     bool updateRolling();
     void closeBySticking();

@@ -278,6 +278,8 @@ private slots:
     void theIdleWallOfTwoBrakesNothing();
     void aSpeedOfRoundingSizeOffAFloorIsNoFlight_data() { addStepperRows(); }
     void aSpeedOfRoundingSizeOffAFloorIsNoFlight();
+    void aSlipThatPressesIntoAWedgeEndsWithoutAJam_data() { addStepperRows(); }
+    void aSlipThatPressesIntoAWedgeEndsWithoutAJam();
     void aBallRollsOffWhereFourContactsCouldHoldIt_data() { addStepperRows(); }
     void aBallRollsOffWhereFourContactsCouldHoldIt();
     void randomStartsAccelerateAsInExact_data() { addStepperRows(); }
@@ -343,6 +345,25 @@ Start underARoofEdgeThatPressesItOntoTheFloor() {
     start.spin = {8.8752364078200987, -75.452842418094832, -65.98424547371971};
     start.gravity = {-8.539416110692013, -0.37749419983635946, 1.9593462345651549};
     start.rolling = 0.014064752524119192;
+    return start;
+}
+
+/// Spin about y presses it onto the wall, whose friction lifts it against the edge of the roof.
+Start slippingOnAFloorIntoAWallUnderARoofEdge() {
+    Start start;
+    start.radius = 0.006;
+    start.boxes = {{{-0.24, -0.24, -0.054}, {0.24, 0.24, 0.0}},
+                   {{-0.01876413091698535, -0.008256410471033131, 0.008565325180660967},
+                    {-0.005423938303250395, 0.028695637440842945, 0.009772045471775572}},
+                   {{0.006, -0.016295651432523803, 0.0017343299287672293},
+                    {0.029725232745824677, 0.00451883851375011, 0.021789270594602443}}};
+    start.place = {0.0, 0.0025856692799336965, 0.006};
+    start.velocity.y = 0.16646998458155923;
+    start.spin = {-30.432726627974635, 10.326189450143648, -30.97101436950107};
+    start.gravity.z = -9.81;
+    start.floor = 0.05;
+    start.wall = 1e3;
+    start.rolling = 0.01867153358883634;
     return start;
 }
 
@@ -439,6 +460,18 @@ void TestSeveralSolutions::aSpeedOfRoundingSizeOffAFloorIsNoFlight() {
     start.velocity.z = 3e-92;
     const double off = distance(accelerationsOf(stepper, start), wanted);
     QVERIFY2(off < 1e-3, qPrintable(QStringLiteral("off by %1 m/s^2").arg(off)));
+}
+
+/// When the spin is spent, wall and roof alone carry the ball for a moment; a jam there would take all of its speed.
+void TestSeveralSolutions::aSlipThatPressesIntoAWedgeEndsWithoutAJam() {
+    QFETCH(QByteArray, stepper);
+    constexpr double kTime = 0.006897690405816154;
+    const Start start = slippingOnAFloorIntoAWallUnderARoofEdge();
+    Experiment ball = ballOf(stepper, start);
+    constexpr int kSteps = 1000;
+    QVERIFY2(ball.stepTimes(kSteps, kTime / kSteps), ball.error());
+    const double off = ball.state.velocity.y - 0.16628; // of exact, and of an integrator of its own
+    QVERIFY2(std::abs(off) < 0.01, qPrintable(QStringLiteral("off by %1 m/s").arg(off)));
 }
 
 /// Two press less than all four, also once their normals have turned within a step.
