@@ -172,11 +172,10 @@ bool stick(uint32_t i, double most, const Touching &touching, MovingBall &ball) 
     return true;
 }
 
-/// Removes rounding errors: slip at sticking contacts, and a velocity that ends with it. What ends a slip leads into
-/// other contacts, and stopping that brings part of the slip back.
-void clearSlips(const End &end, uint32_t sticking, double rounding, const Touching &touching, const Response &response,
+/// What ends a slip leads into other contacts, and stopping that brings part of the slip back. grips: the contact whose
+/// slip ends, whatever is left of it.
+void sweepSlips(uint32_t sticking, uint32_t grips, double rounding, const Touching &touching, const Response &response,
                 MovingBall &ball) {
-    const bool grips = end.cause == Cause::grip;
     const Sorted sorted(Mirror(ball.moment(), touching.held()), touching.held()); // symmetric images sweep alike
     bool isStill = false;
     for (int sweep = 0; sweep < 8 && !isStill; ++sweep) {
@@ -184,9 +183,22 @@ void clearSlips(const End &end, uint32_t sticking, double rounding, const Touchi
         isStill = true;
         for (uint32_t k = 0; k < sorted.count; ++k) {
             const uint32_t i = sorted.index[k];
-            if (!(sticking >> i & 1U) || touching.contactOf(i).isTop) continue;
-            if (stick(i, grips && i == end.contact ? kNever : rounding, touching, ball)) isStill = false;
+            if (!(sticking >> i & 1U)) continue;
+            if (stick(i, i == grips ? kNever : rounding, touching, ball)) isStill = false;
         }
+    }
+}
+
+/// Removes rounding errors: slip at sticking contacts, and a velocity that ends with it.
+void clearSlips(const End &end, uint32_t sticking, double rounding, const Touching &touching, const Response &response,
+                MovingBall &ball) {
+    const bool grips = end.cause == Cause::grip;
+    uint32_t walls = 0; // bits of those that stick
+    for (uint32_t i = 0; i < touching.count(); ++i) walls |= (touching.contactOf(i).isTop ? 0 : sticking) & 1U << i;
+    if (walls == 0) {
+        stopAcross(touching, response, ball);
+    } else {
+        sweepSlips(walls, grips ? end.contact : kMostHeld, rounding, touching, response, ball);
     }
     if (!grips && end.cause != Cause::stop) return;
     if (glm::length(ball.motion.velocity) <= rounding) ball.motion.velocity = Vec3(0.0);

@@ -104,7 +104,8 @@ bool moveOnFloor(FloorRegions &regions, const Scene &scene, const phys_params &p
     const Vec3 spin = toVec(in.spin);
     Plane ball{inPlane(in.position), inPlane(in.velocity)};
     if (!pull.goesOn(ball.velocity, spin)) return false;
-    if (spin.z == 0.0 && std::signbit(spin.z)) return false; // the loop's sums may change its sign
+    // Of a ball that rolls, the loop's sums may change its sign.
+    if (!pull.glides() && spin.z == 0.0 && std::signbit(spin.z)) return false;
     const FloorRegion *region = regions.around(in.position, inPlane(in.velocity), dt);
     for (bool isSecond = false; region && !move(*region, pull, dt, spin, ball); isSecond = true) {
         if (isSecond) return false;

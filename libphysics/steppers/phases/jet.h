@@ -126,17 +126,39 @@ inline double placeOf(const Jet &time, const Jet &pace, double unit, double t, d
     return s;
 }
 
-/// How long a series is valid, in units. noise: smaller terms are certainly rounding.
+/// How long series are valid, in units.
+class Validity {
+public:
+    /// last: the order of the last terms.
+    explicit Validity(int last)
+        : m_last(last) {}
+
+    /// noise: smaller terms are certainly rounding.
+    template<class V>
+    void add(const JetOf<V> &f, double noise) {
+        const double scale = std::max({noise, glm::length(f[0]), glm::length(f[1]), glm::length(f[2])});
+        for (const int i : {0, 1}) {
+            const double size = glm::length(f[m_last - i]);
+            if (!std::isfinite(size)) m_powers[i] = 0.0; // the unit is much too long
+            if (size > 0.0) m_powers[i] = std::min(m_powers[i], kTail * scale / size);
+        }
+    }
+
+    double until() const {
+        return std::min(elementary::root(m_powers[0], m_last), elementary::root(m_powers[1], m_last - 1));
+    }
+
+private:
+    int m_last;
+    double m_powers[2] = {kNever, kNever}; ///< of the last two orders
+};
+
+/// The same of one.
 template<class V>
 double validUntil(const JetOf<V> &f, int last, double noise) {
-    const double scale = std::max({noise, glm::length(f[0]), glm::length(f[1]), glm::length(f[2])});
-    double most = kNever;
-    for (const int k : {last - 1, last}) {
-        const double size = glm::length(f[k]);
-        if (!std::isfinite(size)) return 0.0; // the unit is much too long
-        if (size > 0.0) most = std::min(most, elementary::root(kTail * scale / size, k));
-    }
-    return most;
+    Validity validity(last);
+    validity.add(f, noise);
+    return validity.until();
 }
 
 /// The time unit of series, and how far they are accurate to rounding.

@@ -287,17 +287,16 @@ void Series::forces(int k) {
 
 /// The contribution of lower-order terms to term k of a contact's force.
 void Series::knownForces(Contact &contact, int k) {
-    contact.r[k] = Vec3(0.0);
+    Vec3 force(0.0);
     contact.N[k] = 0.0;
     const double mu = contact.held.friction;
     switch (contact.mode) {
-    case Mode::smooth:
-        for (int j = 1; j <= contact.lastNormal(k); ++j) contact.r[k] += contact.N[k - j] * contact.n[j];
-        break;
     case Mode::slipping:
-        for (int j = 1; j <= k; ++j) contact.r[k] -= contact.N[k - j] * contact.d[j];
-        contact.r[k] *= mu;
-        for (int j = 1; j <= contact.lastNormal(k); ++j) contact.r[k] += contact.N[k - j] * contact.n[j];
+        for (int j = 1; j <= k; ++j) force -= contact.N[k - j] * contact.d[j];
+        force *= mu;
+        [[fallthrough]];
+    case Mode::smooth:
+        for (int j = 1; j <= contact.lastNormal(k); ++j) force += contact.N[k - j] * contact.n[j];
         break;
     case Mode::starting: {
         contact.u[k + 1] = Vec3(0.0);
@@ -309,6 +308,7 @@ void Series::knownForces(Contact &contact, int k) {
     default:
         for (int j = 1; j <= contact.lastNormal(k); ++j) contact.N[k] += glm::dot(contact.r[k - j], contact.n[j]);
     }
+    contact.r[k] = force;
 }
 
 /// The accelerations of order k and the slips' rates without the contribution of the unknowns.
@@ -341,26 +341,31 @@ void Series::knownAccelerations(int k) {
 double Series::validSoFar() const {
     VecJet turning;
     bool slips = false;
-    for (int k = 0; k <= m_last; ++k) turning[k] = m_moment.radius * m_om[k];
+    for (const int k : {0, 1, 2, m_last - 1, m_last}) turning[k] = m_moment.radius * m_om[k];
     const double noise = kNoise * speedScale(m_moment);
-    double s = std::min(validUntil(m_v, m_last, noise), validUntil(turning, m_last, noise));
+    Validity motion(m_last), forces(m_last - 1);
+    motion.add(m_v, noise);
+    motion.add(turning, noise);
+    if (m_countsSlips) motion.add(m_time, 0.0);
     for (const Contact &contact : contacts()) slips = slips || contact.mode != Mode::sticking;
-    if (!slips) {
-        for (const Contact &contact : contacts()) s = std::min(s, validUntil(contact.r, m_last - 1, 0.0));
+    for (const Contact &contact : contacts()) {
+        if (!slips) forces.add(contact.r, 0.0);
     }
+    double s = std::min(motion.until(), forces.until());
     for (const Contact &contact : contacts()) s = contact.isKept ? std::min(s, kKeptFor / 0.8) : s;
-    if (m_countsSlips) s = std::min(s, validUntil(m_time, m_last, 0.0));
     return s;
 }
 
 /// Whether the terms so far are enough for a time, in units. Directions of slips need all.
-bool Series::suffices(double s) const {
+bool Series::suffices(double s) {
     constexpr int kFirst = 8, kEach = 4;
     if (m_last < kFirst || m_last % kEach != 0 || m_rollStarts) return false;
     const bool slips = std::any_of(contacts().begin(), contacts().end(), [](const Contact &contact) {
         return contact.mode != Mode::smooth && contact.mode != Mode::sticking;
     });
-    return !slips && 0.8 * validSoFar() >= std::max(s, 0.125);
+    if (slips) return false;
+    m_valid = validSoFar();
+    return 0.8 * m_valid >= std::max(s, 0.125);
 }
 
 /// Sets the terms to zero that aren't computed.
@@ -380,9 +385,9 @@ void Series::clearRest() {
 }
 
 void Series::measure() {
-    double s = validSoFar();
-    m_reach.measure(s);
-    s = m_reach.length;
+    if (m_last == kOrder) m_valid = validSoFar(); // fewer terms have been found to suffice
+    m_reach.measure(m_valid);
+    const double s = m_reach.length;
     double most = 0.0;
     Vec3 turns(0.0);
     for (int k = kOrder; k >= 0; --k) most = most * s + glm::length(m_a[k]);

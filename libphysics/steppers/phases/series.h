@@ -78,6 +78,7 @@ private:
         Mode mode;
         bool isKept;
         bool isFlat;             ///< a face, whose normal never turns
+        bool isIdle;             ///< isIdleBesideOther
         uint32_t partner;        ///< sticks while this one starts to slip, so across both normals
         VecJet n, u, d, r, free; ///< free: across both normals
         Jet N;
@@ -116,6 +117,7 @@ private:
     uint32_t m_rolls = kMostHeld; ///< the contact at which resistance acts
     int m_last = kOrder;          ///< order of the last terms
     Reach m_reach;
+    double m_valid = 0.0; ///< validSoFar
     double m_most = 0.0, m_noForce = 0.0;
     Vec3 m_turns{0.0}; ///< upper bound of the change of the acceleration along each axis per unit
     // The independent variable: the time, or with slips dt = w dsigma, so that it takes as long to halve them again and
@@ -203,7 +205,7 @@ private:
     Vec3 steadied(const Vec3 &al, int k) const;
     void directions(Contact &contact, int k);
     double validSoFar() const;
-    bool suffices(double s) const;
+    bool suffices(double s);
     void clearRest();
     void measure();
     VecJet frictionOf(const Contact &contact) const;

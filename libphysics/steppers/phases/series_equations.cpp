@@ -40,11 +40,15 @@ Vec3 Series::spinPerForce(const Contact &contact, const Vec3 &force, int k) cons
 
 /// Term k of the normal acceleration, as far as forces are known.
 double Series::apart(const Contact &contact, int k) const {
-    double apart = 0.0;
-    for (int j = 0; j <= contact.lastNormal(k); ++j) {
-        apart += glm::dot(contact.n[j], m_a[k - j]);
-        if (contact.isFlat) break;
-        apart += glm::dot(contact.held.across * m_v[j], contact.held.across * m_v[k - j]) / m_moment.radius;
+    double apart = glm::dot(contact.n[0], m_a[k]);
+    if (contact.isFlat) return apart;
+    Jet bend; // the products of the first half are also those of the second
+    for (int j = 0; j <= k; ++j) {
+        if (j > 0) apart += glm::dot(contact.n[j], m_a[k - j]);
+        if (2 * j <= k) {
+            bend[j] = glm::dot(contact.held.across * m_v[j], contact.held.across * m_v[k - j]) / m_moment.radius;
+        }
+        apart += bend[std::min(j, k - j)];
     }
     return apart;
 }
@@ -233,14 +237,15 @@ void Series::solveOrder(int k) {
     else
         m_equations.begin(m_unknowns);
     for (uint32_t i = 0; i < m_count; ++i) {
-        const Contact &contact = m_contacts[i];
+        Contact &contact = m_contacts[i];
+        if (!m_equations.areSolved()) contact.isIdle = isIdleBesideOther(contact);
         if (i == m_slaved) {
             dense::Values &factors = m_equations.add(m_given);
             if (!m_equations.areSolved()) factors[contact.column] = 1.0;
             continue;
         }
         addRows(contact, k, m_equations);
-        if (i != m_shared.barrier && !isIdleBesideOther(contact)) continue;
+        if (i != m_shared.barrier && !contact.isIdle) continue;
         dense::Values &factors = m_equations.add(0.0);
         if (!m_equations.areSolved()) factors[contact.column] = 1.0 + contact.held.friction;
     }
@@ -269,7 +274,9 @@ void Series::solveOrder(int k) {
     }
     m_a[k] = m_free * (m_a[k] + a);
     m_al[k] += al;
-    for (Contact &contact : contacts()) contact.rateKnown += a - m_moment.radius * glm::cross(al, contact.n[0]);
+    for (Contact &contact : contacts()) {
+        if (contact.needsRate()) contact.rateKnown += a - m_moment.radius * glm::cross(al, contact.n[0]);
+    }
     if (m_shared.rate != 0.0) share(k);
 }
 

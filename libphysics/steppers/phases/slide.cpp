@@ -24,10 +24,10 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
     m_time[0] = 0.0;
     m_way[0] = Vec2(0.0);
     m_reach.unit = 1.0 / (3.5 * B + std::abs(m_g));
-    const double side = smooth.force[faces.smoothAxis] > 0.0 ? B : -B;
+    m_push = smooth.pressure;
+    m_side = smooth.force[faces.smoothAxis] > 0.0 ? B : -B;
     for (int k = 0; k <= kOrder; ++k) {
         m_speed[k] = lengthTerm(m_u.c.data(), m_speed, k);
-        m_pressure[k] = quotientTerm(side * m_u[k].x, m_speed, m_pressure, k); // but for gravity's part
         if (k == kOrder) break;
         const double share = unit() / (k + 1);
         m_u[k + 1] = share * (Vec2(0.0, m_g * m_speed[k]) - B * Vec2(2.5, 3.5) * m_u[k]);
@@ -38,13 +38,16 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
     }
     // The slip needs only the accuracy of the velocities whose difference it is.
     const double fast = std::min(glm::length(moment.velocity), m_radius * glm::length(m_spin)), time = fast * unit();
-    m_reach.measure(std::min({validUntil(m_u, kOrder, fast), validUntil(m_speed, kOrder, fast),
-                              validUntil(m_time, kOrder, time), validUntil(m_way, kOrder, fast * time)}));
+    Validity validity(kOrder);
+    validity.add(m_u, fast);
+    validity.add(m_speed, fast);
+    validity.add(m_time, time);
+    validity.add(m_way, fast * time);
+    m_reach.measure(validity.until());
     m_horizon = m_time.at(m_reach.length);
     m_rolling = moment.velocity[m_along] - 2.0 / 7.0 * m_u[0].y;
     m_start = m_g - B * rough.direction[m_along];
     m_limit = m_g - std::clamp(m_g, -B, B);
-    m_pressure[0] = smooth.pressure;
 }
 
 /// xi in units.
@@ -79,10 +82,27 @@ double Slide::least(const Vec3 &n, double, double, double) const {
     return std::min(n[m_along] * m_start, n[m_along] * m_limit);
 }
 
+/// Whether the smooth face's pressure may fall to zero: of |u_x|/|u| is known that it remains above the smaller of its
+/// start and its limit.
+bool Slide::mayOpen() const {
+    constexpr double kLeast = 1e-6; // of the friction
+    const double across = std::abs(m_u[0].x) / m_speed[0], along = (m_g - m_limit) / m_limitOfFriction; // of the limit
+    const double limit = std::sqrt(std::max(0.0, 1.0 - along * along));
+    const double change = m_side * m_u[0].x >= 0.0 ? std::min(0.0, limit - across) : across - 1.0;
+    return !(m_push + m_limitOfFriction * change > kLeast * m_limitOfFriction);
+}
+
+/// In units; kNever if not before s.
+double Slide::opensAt(double s, Work &work) const {
+    Jet pressure;
+    for (int k = 0; k <= kOrder; ++k) pressure[k] = quotientTerm(m_side * m_u[k].x, m_speed, pressure, k);
+    pressure[0] = m_push; // which contains gravity's part
+    return firstFall(pressure, s, work);
+}
+
 End Slide::end(double until, Work &work) const {
     End end{m_horizon, Cause::time, 0};
-    const double s = until < m_horizon ? xiAt(until) : m_reach.length;
-    const double opens = firstFall(m_pressure, s, work);
+    const double opens = mayOpen() ? opensAt(until < m_horizon ? xiAt(until) : m_reach.length, work) : kNever;
     if (opens != kNever) end.cut({m_time.at(opens), Cause::release, m_faces.smooth});
     // What is left of a small slip falls at its present rate.
     const double slows = -m_speed[1] / (unit() * m_speed[0]);
