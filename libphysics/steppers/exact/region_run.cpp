@@ -126,13 +126,30 @@ private:
         constexpr double kLeast = 1e-13, kLeastTurn = 1e-10; // relative to the speeds; sine of an angle
         if (params.wall_friction > 0.0 || !(glm::length(slip) > kLeast * scale)) return false;
         if (!(push > 0.02 * B + kUnsure * accelerationScale(moment))) return false;
-        if (!(std::abs(turning) > kLeastTurn * glm::length(slip) * glm::length(rate))) return false;
+        if (!(std::abs(turning) > kLeastTurn * glm::length(slip) * glm::length(rate))) return slipStraight(slip);
         const Reaction rough{Mode::slipping, m_pull.pressure, Vec3(0.0), direction, slip};
         const Reaction smooth{Mode::smooth, push, push * n, Vec3(0.0), Vec3(0.0)};
         const Slide phase(moment, {0, 1, 2, m_rests}, kUp, rough, params.sliding_friction, smooth);
         const End end = phase.end(m_ball.left, m_ball.work);
         const double rolling = moment.velocity[along] - 2.0 / 7.0 * slip[along]; // if the slip ends now
         return (end.cause != Cause::grip || std::abs(rolling) > kUnsure * scale) && runOn(phase, end);
+    }
+
+    /// The same of a slip that keeps its direction, as one along the face, and so constant accelerations.
+    bool slipStraight(const Vec3 &slip) {
+        const double B = m_ball.params().sliding_friction * m_pull.pressure, R = m_ball.radius();
+        m_slipping = hat(slip);
+        Vec3 a = m_level - B * m_slipping;
+        a[m_rests] = 0.0;
+        const Uniform phase{m_ball.motion.velocity, a, m_spin, -kInertia / R * glm::cross(kUp, -B * m_slipping)};
+        const Vec3 rate = a - R * glm::cross(phase.spinAcceleration, kUp);
+        if (!isCollinear(slip, rate)) return false;
+        const double slows = -glm::dot(rate, slip);
+        const End end = slows > 0.0 ? End{glm::dot(slip, slip) / slows, Cause::grip, 0} : End();
+        const int along = 1 - m_rests;
+        const double rolling = phase.velocity[along] - 2.0 / 7.0 * slip[along] + 5.0 / 7.0 * end.after * m_level[along];
+        return (!(end.after < m_ball.left) || std::abs(rolling) > kUnsure * speedScale(m_ball.moment())) &&
+               runOn(phase, end);
     }
 
     /// An impact on a face of the region.
@@ -316,9 +333,13 @@ private:
         return phase.losses(t);
     }
     Losses losses(const Uniform &phase, double t) const {
-        if (!m_rolls) return {};
-        const double turning = std::abs(glm::dot(phase.spinAt(0.5 * t), m_rolling));
-        return {0.0, m_ball.params().rolling_friction * m_pull.pressure * m_ball.radius() * t * turning};
+        const double R = m_ball.radius();
+        const Vec3 middle = phase.spinAt(0.5 * t);
+        const Vec3 slip = phase.at(0.5 * t).velocity - R * glm::cross(middle, kUp);
+        const double rubbing = m_ball.params().sliding_friction * m_pull.pressure * t;
+        const double turning = std::abs(glm::dot(middle, m_rolling));
+        return {rubbing * std::abs(glm::dot(slip, m_slipping)),
+                m_rolls ? m_ball.params().rolling_friction * m_pull.pressure * R * t * turning : 0.0};
     }
 
     template<class Phase>
@@ -349,9 +370,10 @@ private:
     ContactEvents &m_events;
     double m_floor; ///< m: height of the centre
     FloorPull m_pull;
-    Vec3 m_level;        ///< gravity along the floor, m/s^2
-    Vec3 m_spin{0.0};    ///< at the start of the phase
-    Vec3 m_rolling{0.0}; ///< direction of the spin that resistance opposes, of a ball that rolls straight
+    Vec3 m_level;         ///< gravity along the floor, m/s^2
+    Vec3 m_spin{0.0};     ///< at the start of the phase
+    Vec3 m_rolling{0.0};  ///< direction of the spin that resistance opposes, of a ball that rolls straight
+    Vec3 m_slipping{0.0}; ///< direction of a slip that keeps it
     bool m_rolls = false;
     int m_rests = kNone; ///< the axis across which it leans on a face
 };
