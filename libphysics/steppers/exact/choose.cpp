@@ -209,6 +209,26 @@ bool slides(const MovingBall &ball, const Touching &touching, const Response &re
     return faces.roughAxis != faces.smoothAxis && response.reactions[faces.smooth].pressure > least;
 }
 
+/// Whether the ball glides round one smooth edge that certainly presses, free or on a smooth face across it, and
+/// touches nothing else.
+bool swings(const MovingBall &ball, const Touching &touching, const Response &response, uint32_t &edge) {
+    const double least = 1e-9 * accelerationScale(ball.moment());
+    edge = kMostHeld;
+    Vec3 faces(0.0), around(0.0); // 1 along the normals of faces, and across the edge
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        const Reaction &reaction = response.reactions[i];
+        const Contact &contact = touching.contactOf(i);
+        if (reaction.mode != Mode::smooth || !(reaction.pressure > least)) return false;
+        if (!contact.isFace() && (edge != kMostHeld || contact.axes() == 3)) return false;
+        (contact.isFace() ? faces : around) += touching.held(i).across;
+        if (!contact.isFace()) edge = i;
+    }
+    return edge != kMostHeld && faces + around == glm::min(faces + around, Vec3(1.0));
+}
+
+/// The axis along an edge.
+int alongEdge(const Contact &edge) { return edge.sides[0] == 0 ? 0 : edge.sides[1] == 0 ? 1 : 2; }
+
 /// Whether the powers of a moving ball's speeds underflow: series would have no time scale, and in the longest step it
 /// gets nowhere.
 bool hardlyMoves(const MovingBall &ball) {
@@ -290,6 +310,11 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
     } else if (hardlyMoves(ball)) {
         motion = {Vec3(0.0), Vec3(0.0)};
         return choose(ball, touching, choice);
+    } else if (uint32_t edge; swings(ball, touching, response, edge)) {
+        const int axis = alongEdge(touching.contactOf(edge));
+        const double along = touching.count() == 1 ? ball.setting.gravity()[axis] : 0.0;
+        choice.phase.emplace<Pendulum>(ball.moment(), edge, touching.held(edge).normal,
+                                       response.reactions[edge].pressure, axis, along, ball.left);
     } else if (!buildSeries(ball, touching, response, choice.phase.emplace<Series>())) {
         if (const phys_status status = jam(touching, ball, response)) return status;
         return choose(ball, touching, choice);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "exact/response.h"
+#include "phases/pendulum.h"
 #include "phases/resisted.h"
 #include "phases/series.h"
 #include "phases/slide.h"
@@ -12,7 +13,7 @@
 
 namespace phys {
 
-using Phase = std::variant<Uniform, Resisted, Slide, Series>;
+using Phase = std::variant<Uniform, Resisted, Slide, Pendulum, Series>;
 
 /// The phase that follows.
 struct Choice {
