@@ -8,6 +8,7 @@
 #include "exact/first_event.h"
 #include "exact/follow.h"
 #include "exact/ground.h"
+#include "exact/last_bounce.h"
 #include "exact/region_run.h"
 #include "exact/resolve.h"
 
@@ -54,6 +55,10 @@ phys_status leave(const MovingBall &ball, uint32_t flags, phys_state &out) {
     const Vec3 sum = ball.position + ball.motion.velocity + ball.motion.spin;
     if (!std::isfinite(sum.x + sum.y + sum.z)) {
         return fail(ball.error, PHYS_ERROR_INTERNAL, "the step's result isn't a number");
+    }
+    if (movesAfterManyHops(ball)) {
+        return fail(ball.error, PHYS_ERROR_EVENT_CAP, "more than %u bounces in one step, after which the ball moves on",
+                    kMostHops);
     }
     out.position = fromVec(ball.position);
     out.velocity = fromVec(ball.motion.velocity);

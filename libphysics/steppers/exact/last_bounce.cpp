@@ -13,6 +13,8 @@ namespace {
 
 /// Bounces no higher than this, in radii, are treated as the last of infinitely many: model.md 6.4.
 constexpr double kLastBounce = 1e-13;
+/// The same after many hops.
+constexpr double kHighBounce = 1e-7;
 /// Height for contacts where the law between bounces differs from that after the last one: the error is of first order
 /// there.
 constexpr double kLastHop = 1e-26;
@@ -22,14 +24,6 @@ constexpr double kSlowDecay = 0.95;
 
 /// Hops last no longer than gravity takes for a way of this many radii.
 constexpr double kHop = 1e-5;
-
-/// Factor on the height of the last bounces.
-double higher(const MovingBall &ball) {
-    constexpr double kHigher = 100.0, kHighest = 1e6;
-    double factor = 1.0;
-    for (uint32_t many = kManyHops; many <= ball.hops && factor < kHighest; many += kSomeHops) factor *= kHigher;
-    return factor;
-}
 
 /// Whether the ball meets, or returns to, nothing but one contact within a time (s).
 bool meetsNothingElse(const MovingBall &ball, const Contact &contact, double time) {
@@ -73,11 +67,21 @@ double lastHopHeight(const MovingBall &ball, const Contacts &contacts, const Con
 } // namespace
 
 void countHop(uint32_t count, double time, MovingBall &ball) {
-    if (time * time * glm::length(ball.setting.gravity()) <= kHop * ball.radius()) ball.hops += count;
+    const double most = kHop * ball.radius(), g = glm::length(ball.setting.gravity());
+    if (hasManyHops(ball) || time * time * g > most) return;
+    const Vec3 &v = ball.motion.velocity;
+    const bool goesOn = glm::dot(v, v) > g * most; // such a ball doesn't come to rest where it is
+    ball.hops = std::min(ball.hops + count, goesOn ? kManyHops - 1 : kManyHops);
+    ball.lastHop = ball.position;
+}
+
+bool movesAfterManyHops(const MovingBall &ball) {
+    constexpr double kNear = 1e-3; // radii
+    return hasManyHops(ball) && !(ball.isStill() && glm::length(ball.position - ball.lastHop) <= kNear * ball.radius());
 }
 
 double lastHeight(const MovingBall &ball) {
-    return std::max(ball.scene().tolerance, higher(ball) * kLastBounce * ball.radius());
+    return std::max(ball.scene().tolerance, (hasManyHops(ball) ? kHighBounce : kLastBounce) * ball.radius());
 }
 
 double lastBounce(const MovingBall &ball, const Contacts &contacts, const Contact &contact, const Vec3 &acting) {

@@ -18,10 +18,14 @@ void countHop(uint32_t count, double time, MovingBall &ball);
 inline constexpr uint32_t kSomeHops = 500 * kHopCount;
 inline bool hasSomeHops(const MovingBall &ball) { return ball.hops >= kSomeHops; }
 
-/// After this many hops in a step, a less exact result is better than none: last bounces may be higher, and after
-/// kSomeHops more higher still. Steps that take no more than that hardly ever exceed the work limit.
-inline constexpr uint32_t kManyHops = 12'000 * kHopCount;
+/// After this many hops in a step, bounces of a ball that hardly moves any more end far higher, so that it comes to
+/// rest; a step in which it doesn't is refused. Those that take no more than that hardly ever exceed the work limit.
+inline constexpr uint32_t kMostHops = 12'000;
+inline constexpr uint32_t kManyHops = kMostHops * kHopCount;
 inline bool hasManyHops(const MovingBall &ball) { return ball.hops >= kManyHops; }
+
+/// Whether what a ball with many hops has done since then may be inexact: it hasn't come to rest where it was.
+bool movesAfterManyHops(const MovingBall &ball);
 
 /// The largest height of last bounces at smooth contacts, m.
 double lastHeight(const MovingBall &ball);

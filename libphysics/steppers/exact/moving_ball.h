@@ -33,7 +33,8 @@ struct MovingBall {
     Reporter report;
     phys_error *error;
     Work work;
-    uint32_t hops = 0;    ///< short bounces, hops and series between them, by their cost: model.md 6.4
+    uint32_t hops = 0;    ///< short bounces, hops and series between them, by their cost; model.md 6.4
+    Vec3 lastHop{0.0};    ///< where it was at the last one that was counted
     double elapsed = 0.0; ///< s of the step that have passed
     double left;          ///< s of the step that remain
     Vec3 position;

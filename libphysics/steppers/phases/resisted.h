@@ -11,7 +11,7 @@ namespace phys {
 
 class Resisted {
 public:
-    static constexpr uint64_t lookWork() { return 60; }
+    static constexpr uint64_t lookWork() { return 90; }
 
     /// axis: of the face's normal; velocity and A have no component along it.
     static Resisted rolling(int axis, const Vec3 &velocity, const Vec3 &A, double B, double radius, const Vec3 &spin,
