@@ -102,6 +102,21 @@ double Series::noReserve(const Contact &contact, double pressure) const {
     return 2.0 * (m_noForce + roundingOfLimit(m_moment, mu)) * mu * pressure;
 }
 
+/// Whether a contact with a normal that never turns has friction left until s units: it is the only one that sticks,
+/// and the friction that it needs is certainly less than that of its least pressure.
+bool Series::holdsUntil(const Contact &contact, double s) const {
+    constexpr double kCertain = 0.9;
+    if (!contact.isFlat || otherSticking(contact)) return false;
+    double friction = 0.0, change = 0.0; // bounds
+    for (int k = m_last; k >= 0; --k) {
+        const Vec3 across = glm::abs(contact.r[k] - contact.N[k] * contact.n[0]);
+        friction = friction * s + (across.x + across.y + across.z);
+        if (k > 0) change = (change + std::abs(contact.N[k])) * s;
+    }
+    const double resistance = 5.0 / 7.0 * contact.held.resistance; // which needs none of it, or that much less
+    return friction + resistance * (contact.N[0] + change) < kCertain * contact.held.friction * (contact.N[0] - change);
+}
+
 /// (mu N)^2 less the square of the friction.
 const Series::Reserve &Series::reserveOf(const Contact &contact) const {
     const auto i = static_cast<uint32_t>(&contact - m_contacts.data());
@@ -254,6 +269,7 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
         const Contact &contact = m_contacts[i];
         if (contact.mode != Mode::sticking || contact.held.isGlued || contact.isKept) continue;
         if (isIdle(contact, soon)) continue; // there is none to be spent
+        if (holdsUntil(contact, soon)) continue;
         const auto &[left, none] = reserveOf(contact);
         if (left[0] > none || !falls(left, none, soon)) continue;
         const double most = contact.held.friction * contact.N[0];

@@ -464,7 +464,8 @@ End Series::end(double until, Work &work) const {
             end.cut({good, Cause::time, 0});
         } else if (contact.mode == Mode::slipping) {
             end.cut(endOfSlip(contact.speed, s, m_reach, kSlipEnds * speed, speed, given(i), work));
-        } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept) {
+        } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept &&
+                   !holdsUntil(contact, s)) {
             auto [left, none] = reserveOf(contact);
             if (left[0] <= none) left[0] += none + noForce * noForce;
             end.cut({firstFall(left, s, work), Cause::spent, given(i)});

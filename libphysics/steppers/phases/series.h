@@ -215,6 +215,7 @@ private:
     bool isPrestressed(const Contact &contact) const;
     double endOfPrestress(double s, Work &work) const;
     bool takeReserve(const Contact &contact, const Contact &other, const VecJet &friction, Reserve &reserve) const;
+    bool holdsUntil(const Contact &contact, double s) const;
     double noReserve(const Contact &contact, double pressure) const;
     Jet slipSpeed(const Contact &contact) const;
     bool startsToSlip(const Contact &contact) const;
