@@ -230,6 +230,8 @@ QString conflictOf(const QCommandLineParser &parser) {
         for (const QString &other : others)
             if (parser.isSet(other) && parser.isSet(option))
                 return QStringLiteral("--%1: doesn't go with --%2").arg(option, other);
+    const bool hasTable = parser.isSet("csv") || (parser.isSet("headless") && !parser.isSet("check"));
+    if (parser.isSet("csv-every") && !hasTable) return QStringLiteral("--csv-every: no table is written without --csv");
     if (parser.isSet("within") && (parser.isSet("under") || parser.isSet("for")))
         return QStringLiteral("--within: takes neither --under nor --for");
     return {};

@@ -242,13 +242,13 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                      << "'nan'";
     QTest::newRow("dt in metres") << "--dt 5m"
                                   << "'5m', whose unit isn't one of: ns us ms s min";
-    QTest::newRow("every half step") << "--csv-every 2.5"
+    QTest::newRow("every half step") << "--headless --csv-every 2.5"
                                      << "--csv-every: expected a whole number from 1 to 1e+09, found '2.5'";
     QTest::newRow("speed too high") << "--speed 17"
                                     << "--speed: expected a number from 0.0625 to 16, found '17'";
     QTest::newRow("duration negative") << "--duration -1"
                                        << "--duration";
-    QTest::newRow("csv-every zero") << "--csv-every 0"
+    QTest::newRow("csv-every zero") << "--headless --csv-every 0"
                                     << "--csv-every";
     QTest::newRow("parameter no number") << "--tilt-x steep"
                                          << "--tilt-x: expected a number from -80 to 80 \u00b0, found 'steep'";
@@ -286,6 +286,10 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                         << "--csv: expected a file name ending in .csv, found 'tab.png'";
     QTest::newRow("one level and all") << "--all-levels --level 2"
                                        << "--all-levels: doesn't go with --level";
+    QTest::newRow("rows of a check") << "--replay x --check --csv-every 10"
+                                     << "--csv-every: no table is written without --csv";
+    QTest::newRow("rows of a window") << "--csv-every 10"
+                                      << "--csv-every: no table is written without --csv";
     QTest::newRow("rows of all levels") << "--all-levels --csv-every 10"
                                         << "--all-levels: doesn't go with --csv-every";
 }
