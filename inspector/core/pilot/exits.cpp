@@ -46,13 +46,6 @@ phys_box widened(phys_box exit, double radius) {
     return exit;
 }
 
-/// Where nothing is below, the ball falls instead of leaving.
-bool isOverBoard(const phys_scene *scene, Point point) {
-    phys_state start;
-    phys_scene_start(scene, &start);
-    return hasFloorBelow(scene, {point.x, point.y, start.position.z});
-}
-
 } // namespace
 
 std::optional<std::vector<phys_box>> exitsOf(const phys_scene *scene) {
@@ -87,7 +80,7 @@ std::optional<std::vector<phys_box>> exitsOf(const phys_scene *scene) {
             isSeen[size_t(other)] = true;
             open.push_back(other);
         }
-        if (isAtExit && isOverBoard(scene, space.centre(cell))) addTo(exits, space.centre(cell), space, floor);
+        if (isAtExit && !space.isOutside(cell)) addTo(exits, space.centre(cell), space, floor);
     }
     for (phys_box &exit : exits) exit = widened(exit, space.radius());
     return exits;

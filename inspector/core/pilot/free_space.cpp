@@ -37,13 +37,15 @@ FreeSpace::FreeSpace(const phys_scene *scene)
 }
 
 /// What is level with the floor under the ball's start (to a thousandth of its radius) is floor; everything else that
-/// the ball can touch is wall.
+/// the ball can touch is wall. At the border the floor may end up to a radius earlier: the ball that falls over its
+/// edge is out before it is below.
 void FreeSpace::markBoxes(std::span<const phys_box> boxes) {
     std::vector<bool> hasFloor(m_clearance.size(), false);
     for (const phys_box &box : boxes) {
         if (std::abs(box.max.z - m_floor) <= 1e-3 * m_radius)
-            visitAround(box, 0.0,
-                        [&](Cell cell, double gap) { hasFloor[size_t(cell)] = hasFloor[size_t(cell)] || gap <= 0.0; });
+            visitAround(box, m_radius, [&](Cell cell, double gap) {
+                if (gap <= 0.0 || (gap <= m_radius && depthOf(cell) <= m_radius)) hasFloor[size_t(cell)] = true;
+            });
         else
             markWall(box);
     }
@@ -82,9 +84,9 @@ Point FreeSpace::centre(Cell cell) const {
     return {m_origin.x + (column + 0.5) * m_spacing, m_origin.y + (row + 0.5) * m_spacing};
 }
 
-bool FreeSpace::isOutside(Cell cell) const {
+double FreeSpace::depthOf(Cell cell) const {
     const Point p = centre(cell);
-    return p.x < m_bounds.min.x || p.x > m_bounds.max.x || p.y < m_bounds.min.y || p.y > m_bounds.max.y;
+    return std::min({p.x - m_bounds.min.x, m_bounds.max.x - p.x, p.y - m_bounds.min.y, m_bounds.max.y - p.y});
 }
 
 FreeSpace::Range FreeSpace::columnsAround(const phys_box &box, double reach) const {

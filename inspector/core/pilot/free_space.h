@@ -39,13 +39,14 @@ public:
     bool isFine() const { return m_spacing <= m_radius; }
     bool isFree(Cell cell) const { return cell != kNowhere && clearance(cell) > 0.0; }
     /// Whether the cell is beyond the bounds of all boxes, where the ball has left the maze.
-    bool isOutside(Cell cell) const;
+    bool isOutside(Cell cell) const { return depthOf(cell) < 0.0; }
     /// The free cell nearest to a point, within a ball's radius; kNowhere if there is none.
     Cell nearestFree(Point point) const;
     /// Whether the straight line keeps at least this clearance, m.
     bool isClear(Point from, Point to, double clearance) const;
 
 private:
+    double depthOf(Cell cell) const; ///< inside the bounds of all boxes, m; negative outside
     void layGrid();
     void markBoxes(std::span<const phys_box> boxes);
     struct Range {

@@ -14,6 +14,8 @@ private slots:
     void ballThatFallsOntoTheFloorFindsTheGap();
     void gapThatTheBallCantReachIsNone();
     void twoGapsAreTwoExits();
+    void edgeOfTheFloorBeforeTheGapIsRolledOver();
+    void gapBeyondAHoleIsNone();
     void airWithoutABoardHasNone();
     void mazeTooLargeToSearchIsNotCalledClosed();
     void ballInAWallIsNotCalledLockedIn();
@@ -89,6 +91,22 @@ void TestExits::twoGapsAreTwoExits() {
     std::vector<phys_box> boxes = room();
     boxes.push_back(rightWall(-0.01, 0.01));
     QCOMPARE(exitsIn(boxes).size(), size_t(2));
+}
+
+// As in a maze drawn by hand, whose floor ends where its walls begin.
+void TestExits::edgeOfTheFloorBeforeTheGapIsRolledOver() {
+    std::vector<phys_box> boxes = room();
+    boxes.front().max.x = 0.045;
+    boxes.push_back(rightWall(-0.05, 0.0));
+    QCOMPARE(exitsIn(boxes).size(), size_t(1));
+}
+
+// Into which the ball falls: it is wider than a radius.
+void TestExits::gapBeyondAHoleIsNone() {
+    std::vector<phys_box> boxes = room();
+    boxes.front().max.x = 0.04;
+    boxes.push_back(rightWall(-0.05, 0.0));
+    QVERIFY(exitsIn(boxes).empty());
 }
 
 void TestExits::airWithoutABoardHasNone() { QVERIFY(exitsIn({}).empty()); }
