@@ -120,7 +120,7 @@ void Session::watchPhysics() {
 }
 
 QString Session::whyNoBestTime() {
-    if (m_hasAutopilot) return tr("the autopilot's");
+    if (m_hasAutopilot) return tr("the autopilot played");
     if (m_start.isFromElsewhere() || m_start.isOwn()) return tr("not from the start");
     if (!m_hasUsualPhysics) return tr("speed or physics changed");
     if (m_levels.exits() && m_levels.exits()->empty()) return tr("this maze has no way out");

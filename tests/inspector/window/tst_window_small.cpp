@@ -491,7 +491,7 @@ void TestWindowSmall::closedResultSaysAllOfIt() {
     QTRY_COMPARE(first().first, QString("Level 1 done"));
     const int left = first().second;
     m_fixture->press(Qt::Key_Escape);
-    QTRY_COMPARE(first(), std::pair(QString::fromUtf8("Level 1 done · no best time: the autopilot's · "
+    QTRY_COMPARE(first(), std::pair(QString::fromUtf8("Level 1 done · no best time: the autopilot played · "
                                                       "Enter: Level 2 · R: again"),
                                     left));
 }
