@@ -403,8 +403,7 @@ void TradeDock::showBand() {
 ChartDescription TradeDock::describedChart() const {
     const TradeResult &result = m_worker.result();
     ChartDescription chart = describeChart(m_worker.plan(), result, model(), shownSchedule(result));
-    if (chart.band && isOutOfDate())
-        for (QString *text : {&chart.band->middleText, &chart.band->limitText}) *text += tr(" (out of date)");
+    if (isOutOfDate()) chart.title += tr(" (out of date)"); // where it widens no line of the legend
     for (ChartCurve &curve : chart.curves) curve.name = stepperName(m_worker.plan().registry, curve.stepper);
     return chart;
 }
