@@ -80,6 +80,7 @@ void askForFilm(QWidget &window, const FilmPlan &usual, const std::function<void
         dialog->accept();
         use({seconds->value(), int(rate->value()), FilmKind(kind->currentIndex())});
     });
+    seconds->selectAll(); // what is typed first takes its place
     dialog->open();
 }
 

@@ -30,6 +30,7 @@ private slots:
     void cleanup();
     void escGivesBackAChangedNumberThenLeaves();
     void enterTakesAChangedNumberThenSaves();
+    void numberTypedFirstTakesTheUsualOnesPlace();
     void filmIsOfTheSecondsAskedFor();
     void picturesFollowTheBall();
     void filmIsOfTheRunShown();
@@ -132,6 +133,13 @@ void TestWindowFilm::enterTakesAChangedNumberThenSaves() {
     m_fixture->answerFile(folder);
     QTRY_VERIFY(isOver());
     QVERIFY(!picturesIn(folder).isEmpty());
+}
+
+void TestWindowFilm::numberTypedFirstTakesTheUsualOnesPlace() {
+    openDialog();
+    m_fixture->type("3");
+    m_fixture->key(Qt::Key_Return);
+    QCOMPARE(m_fixture->find<NumberBox>("film_seconds")->value(), 3.0);
 }
 
 void TestWindowFilm::filmIsOfTheSecondsAskedFor() {
