@@ -114,6 +114,7 @@ BounceDock::BounceDock(Session &session, QWidget *parent)
     m_area->setFrameShape(QFrame::NoFrame);
     m_area->setFocusPolicy(Qt::TabFocus);
     m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the text wraps
+    m_area->setAccessibleName(tr("The bounce and its law"));
     m_area->setMinimumWidth(fontMetrics().averageCharWidth() * 24);
     m_area->installEventFilter(this);
     auto *halves = new TurningSplitter(kNarrow, {400, 600}, {600, 400}); // per mille
@@ -150,6 +151,7 @@ QCheckBox *BounceDock::addFilter(const QString &text, const char *name, const QS
 
 void BounceDock::makeTable() {
     m_table->setObjectName(QStringLiteral("bounces_table"));
+    m_table->setAccessibleName(tr("Bounces"));
     m_filter->setSourceModel(m_events);
     m_table->setModel(m_filter);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);

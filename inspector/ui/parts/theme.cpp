@@ -4,11 +4,13 @@
 #include <QApplication>
 #include <QEvent>
 #include <QFont>
+#include <QPainter>
 #include <QProxyStyle>
 #include <QStyleOptionButton>
 #include <QWidget>
 
 #include <algorithm>
+#include <cmath>
 
 namespace inspector::ui {
 
@@ -58,9 +60,13 @@ QPalette paletteOf(const Shades &shades) {
     return palette;
 }
 
-/// Fusion, except for two things. Check boxes on dark palettes, in widgets and lists alike: Fusion frames an empty one
-/// with a darker shade of the window and fills it with the base, which is hardly visible there. And rows of lists,
-/// which are as high as their text, and so hard to tell apart.
+/// The chosen size of the texts, relative to the system's.
+double textScale() { return QApplication::font().pointSizeF() / systemLook().font.pointSizeF(); }
+
+/// Fusion, except for this. On dark palettes it frames an empty check box, in widgets and lists alike, with a darker
+/// shade of the window and fills it with the base, which is hardly visible there; nor is its frame around what has the
+/// keyboard, on any palette. Rows of lists are as high as their text, and so hard to tell apart. And icons and check
+/// boxes don't grow with the texts.
 class ThemeStyle : public QProxyStyle {
 public:
     ThemeStyle()
@@ -69,11 +75,19 @@ public:
     void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                        const QWidget *widget) const override {
         const auto *button = qstyleoption_cast<const QStyleOptionButton *>(option);
-        if (element != PE_IndicatorCheckBox || !button || !isDark(button->palette))
-            return QProxyStyle::drawPrimitive(element, option, painter, widget);
-        QStyleOptionButton box(*button);
-        box.palette.setColor(QPalette::Base, box.palette.color(QPalette::Light));
-        QProxyStyle::drawPrimitive(element, &box, painter, widget);
+        if (element == PE_IndicatorCheckBox && button && isDark(button->palette)) {
+            QStyleOptionButton box(*button);
+            box.palette.setColor(QPalette::Base, box.palette.color(QPalette::Light));
+            return QProxyStyle::drawPrimitive(element, &box, painter, widget);
+        }
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element == PE_FrameFocusRect && option->state.testFlag(State_KeyboardFocusChange)) frame(*option, *painter);
+    }
+
+    int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override {
+        const int usual =
+            metric == PM_ToolBarIconSize ? kToolBarIcon : QProxyStyle::pixelMetric(metric, option, widget);
+        return std::ranges::find(kGrowing, metric) == kGrowing.end() ? usual : int(std::lround(textScale() * usual));
     }
 
     QSize sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &size,
@@ -81,6 +95,21 @@ public:
         constexpr int kRoom = 7; // pixels, above and below the text
         const QSize whole = QProxyStyle::sizeFromContents(type, option, size, widget);
         return type == CT_ItemViewItem ? whole + QSize(0, kRoom) : whole;
+    }
+
+private:
+    static constexpr int kToolBarIcon = 20; // pixels
+    static constexpr std::array kGrowing{PM_ToolBarIconSize,          PM_SmallIconSize,      PM_ButtonIconSize,
+                                         PM_IndicatorWidth,           PM_IndicatorHeight,    PM_ExclusiveIndicatorWidth,
+                                         PM_ExclusiveIndicatorHeight, PM_MenuButtonIndicator};
+
+    static void frame(const QStyleOption &option, QPainter &painter) {
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(option.palette.color(isDark(option.palette) ? QPalette::Link : QPalette::Highlight));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2.0, 2.0);
+        painter.restore();
     }
 };
 
@@ -112,7 +141,9 @@ void applyTheme(Theme theme) {
 void applyTextScale(double scale) {
     QFont font = systemLook().font;
     font.setPointSizeF(scale * font.pointSizeF());
-    if (font != QApplication::font()) QApplication::setFont(font);
+    if (font == QApplication::font()) return;
+    QApplication::setFont(font);
+    if (dynamic_cast<ThemeStyle *>(QApplication::style())) QApplication::setStyle(new ThemeStyle); // its sizes are new
 }
 
 bool isDark(const QPalette &palette) {

@@ -38,6 +38,7 @@ PhasePlot::PhasePlot(const SampleRing &samples, Channel x, Channel y, std::share
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     xAxis->setLabel(labelOf(x));
     yAxis->setLabel(labelOf(y));
+    setAccessibleName(tr("Plot of %1 over %2").arg(yAxis->label(), xAxis->label()));
     for (QCPItemTracer *dot : {m_dot, m_cursorDot}) {
         dot->setStyle(QCPItemTracer::tsCircle);
         dot->setSize(7);

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kSmallestSpan = 1e-9; ///< smallest span of values
 constexpr double kLargestSpan = 1e9;
-constexpr int kLeftMargin = 74; ///< pixels, so that stacked plots are aligned
 constexpr float kOldCurveAlpha = 0.35F;
 constexpr double kLeastStretch = 1e-3; ///< of a row: as high as it needs to be
 
@@ -71,8 +70,6 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     setNoAntialiasingOnDrag(true);
     setLocale(QLocale::c());
     axisRect()->setMinimumSize(50, 20);
-    axisRect()->setAutoMargins(QCP::msRight | QCP::msTop | QCP::msBottom);
-    axisRect()->setMargins(QMargins(kLeftMargin, 0, 0, 0));
     layOutLegend();
     takeColours();
     fitLabels();
@@ -84,7 +81,7 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
 }
 
 void TimePlot::layOutLegend() {
-    m_legendLine = putLegendAbove(*this, kLeftMargin);
+    m_legendLine = putLegendAbove(*this, leftMargin());
     placeReadOut();
 }
 
@@ -92,14 +89,16 @@ void TimePlot::layOutLegend() {
 void TimePlot::fitLegend() {
     constexpr int kSmall = 320; // pixels
     const bool isSmall = width() < kSmall;
-    const QSize icon = isSmall ? QSize(14, 14) : QSize(32, 18);
-    if (legend->iconSize() == icon) return;
-    legend->setIconSize(icon);
+    legend->setIconSize(isSmall ? QSize(14, 14) : QSize(32, 18));
     legend->setColumnSpacing(isSmall ? 8 : 18);
     legend->setRowSpacing(isSmall ? 0 : 3);
-    QMargins margins = legend->margins();
-    margins.setLeft(isSmall ? 6 : kLeftMargin);
-    legend->setMargins(margins);
+    legend->setMargins(QMargins(isSmall ? 6 : leftMargin(), 4, 8, 0));
+}
+
+/// Room for usual numbers and for the label, the same in all plots, so that stacked ones are aligned.
+int TimePlot::leftMargin() const {
+    constexpr int kTicks = 14; // pixels, with the gaps between ticks, numbers and label
+    return fontMetrics().horizontalAdvance(QStringLiteral("-0.0000")) + fontMetrics().height() + kTicks;
 }
 
 /// A plot that is too low for its legend leaves it out: its lines would be cut.
@@ -152,6 +151,7 @@ void TimePlot::addCurve(Channel channel, QColor Accents::*colour, Qt::PenStyle s
     dot->setSize(7);
     dot->setVisible(false);
     m_curves.push_back({channel, colour, style, graph, nullptr, dot});
+    setAccessibleName((m_curves.size() == 1 ? tr("Plot of %1") : accessibleName() + tr(", %1")).arg(graph->name()));
     takeColours();
 }
 
@@ -192,6 +192,9 @@ void TimePlot::takeColours() {
     m_momentLine->setPen(QPen(mixed(base, text, 0.8), 1.5));
     m_text->setTextColor(text);
     m_text->setFont(font());
+    QMargins margins = axisRect()->minimumMargins();
+    margins.setLeft(leftMargin());
+    axisRect()->setMinimumMargins(margins);
     m_isStale = true;
 }
 

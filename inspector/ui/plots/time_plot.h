@@ -109,6 +109,7 @@ private:
     void load(const Curve &curve);
     void loadOldFuture(const Curve &curve);
     void updateReadOut();
+    int leftMargin() const;       ///< pixels
     int roomBesideLegend() const; ///< pixels
     void placeReadOut();
     QString hint() const;

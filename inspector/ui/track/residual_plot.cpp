@@ -18,6 +18,7 @@ ResidualPlot::ResidualPlot(QWidget *parent)
     xAxis->setLabel(tr("Time [s]"));
     yAxis->setLabel(tr("Residual [mm]"));
     setToolTip(tr("Measured minus computed · wheel: zoom · drag: move"));
+    setAccessibleName(tr("Measured minus computed positions"));
     m_x->setName(tr("x"));
     m_y->setName(tr("y"));
     m_bounces->setName(tr("bounces"));

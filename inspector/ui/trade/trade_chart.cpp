@@ -53,6 +53,7 @@ TradeChart::TradeChart(QWidget *parent)
     makeLogarithmic(*xAxis, m_description.costLabel);
     makeLogarithmic(*yAxis, m_description.errorLabel);
     m_front->setName(tr("best for its cost"));
+    setAccessibleName(tr("Error of each setting against its cost"));
     legend->setIconSize(20, 12);
     legend->setRowSpacing(0);
     legend->setMargins({4, 2, 4, 2});

@@ -29,7 +29,6 @@ TransportBar::TransportBar(Session &session, QUndoStack &undo, const QList<QActi
     , m_session(session)
     , m_undo(undo) {
     setObjectName(QStringLiteral("transport"));
-    setIconSize({20, 20});
     addActions(playback);
     addSpeeds();
     addSteppers();

@@ -110,6 +110,7 @@ QLabel *textDialog(QWidget &window, const char *name, const QString &title, cons
     area->setWidget(text);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
+    area->setAccessibleName(title);
     new PageKeys(*dialog, *area->verticalScrollBar());
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);

@@ -98,6 +98,8 @@ void MainWindow::makeCentre(gl::Drawing drawing) {
     m_view = new gl::MazeView(drawing);
     m_view->setObjectName(QStringLiteral("view"));
     m_view->setFocusPolicy(Qt::StrongFocus);
+    m_view->setAccessibleName(tr("Board"));
+    m_view->setAccessibleDescription(tr("The maze and its ball; the arrow keys tilt it while a level is played"));
     m_view->setLargestTilt(radians(kPlayTilt));
     m_view->setFrameSource([this] { return frame(); }, [this] { return hasNewFrame(); });
     m_strip = new GameStrip;

@@ -150,6 +150,7 @@ void MainWindow::makeDocks() {
         giveTitleItsFont(*dock);
         QWidget *content = row.make(*this);
         dock->setWidget(row.share > 0.0 ? scrolled(content) : content);
+        for (QWidget *part : {content, dock->widget()}) part->setAccessibleName(dock->windowTitle());
         addDockWidget(row.area, dock);
         addDockAction(*dock, ++number, row.share);
         if (row.share == 0.0) continue;
@@ -178,6 +179,9 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
     if (number <= 10) toggle->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number % 10)));
     const auto showState = [&dock, toggle] { toggle->setChecked(!dock.isHidden()); };
     connect(&dock, &QDockWidget::visibilityChanged, toggle, showState);
+    connect(&dock, &QDockWidget::visibilityChanged, this, [this, &dock](bool isSeen) {
+        if (!isSeen && dock.isAncestorOf(focusWidget())) m_view->setFocus(); // else behind another it would keep it
+    });
     connect(dock.toggleViewAction(), &QAction::toggled, this, [this, &dock] {
         if (!dock.isHidden()) return;
         giveBackHeights(dockWidgetArea(&dock));

@@ -10,8 +10,6 @@
 #include "window_fixture.h"
 
 #include <QAbstractButton>
-#include <QAbstractSlider>
-#include <QAccessible>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
@@ -98,7 +96,6 @@ private slots:
     void statusSaysWhatTheSimulationDoes();
     void statusHasNoSignBeforeZero();
     void aboutNamesVersionsAndLicences();
-    void everyControlHasANameToBeRead();
     void stripWidensNoWindow();
     void standingWindowDrawsNothing();
     void messageCanBeReadInEveryTheme_data();
@@ -509,21 +506,6 @@ void TestWindowDocks::aboutNamesVersionsAndLicences() {
     const QString text = m_fixture->find<QWidget>("about_dialog")->findChild<QLabel *>()->text();
     for (const char *part : {phys_version(), qVersion(), "GPL-3.0-or-later", "MIT", "LGPL-3.0", "QCustomPlot"})
         QVERIFY2(text.contains(part), part);
-}
-
-// As a screen reader does; without tags.
-void TestWindowDocks::everyControlHasANameToBeRead() {
-    for (const QDockWidget *dock : m_fixture->window().findChildren<QDockWidget *>())
-        if (dock->isHidden()) m_fixture->trigger("show_" + dock->objectName());
-    for (QWidget *widget : m_fixture->window().findChildren<QWidget *>()) {
-        const bool isOurs = !widget->objectName().isEmpty() && !widget->objectName().startsWith("qt_");
-        const bool isControl = qobject_cast<QAbstractButton *>(widget) || qobject_cast<QAbstractSlider *>(widget) ||
-                               qobject_cast<QComboBox *>(widget) || qobject_cast<QLineEdit *>(widget);
-        if (!isOurs || !isControl || widget->focusPolicy() == Qt::NoFocus) continue;
-        const QAccessibleInterface *read = QAccessible::queryAccessibleInterface(widget);
-        QVERIFY2(!read->text(QAccessible::Name).isEmpty(), qPrintable(widget->objectName()));
-        QVERIFY2(!read->text(QAccessible::Description).contains('<'), qPrintable(widget->objectName()));
-    }
 }
 
 // Whatever a level is called, and however the run ended.
