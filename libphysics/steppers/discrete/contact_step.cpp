@@ -140,6 +140,19 @@ void allowTurns(const StepContext &context, const Contacts &contacts, const Vec3
         lasting[i].slow -= h * contacts[i].curving(velocity, context.radius());
 }
 
+/// The same for rough contacts that open at once: pressure of the scheme's order would rub with all of their friction.
+void allowLeaving(const StepContext &context, const Contacts &contacts, const Vec3 &velocity, double h,
+                  LastingContacts &lasting) {
+    for (uint32_t i = 0; i < contacts.count(); ++i) {
+        const Contact &contact = contacts[i];
+        if (contact.friction == 0.0 || !touches(context, contact)) continue;
+        const double curving = contact.curving(velocity, context.radius());
+        const double apart = glm::dot(context.setting.gravity(), contact.normal) + curving;
+        const bool opens = contacts.count() == 1 ? apart > 0.0 : lasting.isChosen() && lasting[i].reaction == 0.0;
+        if (opens) lasting[i].slow -= h * curving;
+    }
+}
+
 /// The contacts of a substep of order 1, which changes the motion. Contacts only take energy from it: where the
 /// solution adds some, as several sticking contacts turn the ball to close their gaps, the gaps stay.
 LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, double h, Motion &motion) {
@@ -152,7 +165,7 @@ LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, 
         for (const Contact &contact : contacts)
             lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / time));
         choose(context, contacts, before, h, lasting);
-        if (haveTurns(context, lasting)) allowTurns(context, contacts, before.velocity, h, lasting);
+        (haveTurns(context, lasting) ? allowTurns : allowLeaving)(context, contacts, before.velocity, h, lasting);
         motion = driven;
         lasting.solve(context.params().rolling_friction, motion);
         return lasting;

@@ -280,6 +280,8 @@ private slots:
     void aSpeedOfRoundingSizeOffAFloorIsNoFlight();
     void aSlipThatPressesIntoAWedgeEndsWithoutAJam_data() { addStepperRows(); }
     void aSlipThatPressesIntoAWedgeEndsWithoutAJam();
+    void aRoughEdgeThatTheBallLeavesTakesNoSpeed_data() { addStepperRows(); }
+    void aRoughEdgeThatTheBallLeavesTakesNoSpeed();
     void aBallRollsOffWhereFourContactsCouldHoldIt_data() { addStepperRows(); }
     void aBallRollsOffWhereFourContactsCouldHoldIt();
     void randomStartsAccelerateAsInExact_data() { addStepperRows(); }
@@ -472,6 +474,24 @@ void TestSeveralSolutions::aSlipThatPressesIntoAWedgeEndsWithoutAJam() {
     QVERIFY2(ball.stepTimes(kSteps, kTime / kSteps), ball.error());
     const double off = ball.state.velocity.y - 0.16628; // of exact, and of an integrator of its own
     QVERIFY2(std::abs(off) < 0.01, qPrintable(QStringLiteral("off by %1 m/s").arg(off)));
+}
+
+/// Its way curves less than both features that it touches.
+void TestSeveralSolutions::aRoughEdgeThatTheBallLeavesTakesNoSpeed() {
+    QFETCH(QByteArray, stepper);
+    Start start;
+    start.radius = 0.006;
+    start.boxes = {{{-0.008651655888823757, -0.010651655888823757, -0.004651655888823757},
+                    {-0.002, -0.004, 0.0020000000000000005}},
+                   {{-0.010847377635113573, 0.004242640687119286, -0.01381421084398286},
+                    {-0.004242640687119286, 0.010847377635113573, 0.02581421084398286}}};
+    start.place = {0.0, 0.0, 0.006};
+    start.velocity = {-0.09122977390657727, -0.09122977390657727, 0.13684466085986594};
+    start.spin = {0.0, 0.0, -94.8380936110053};
+    start.gravity.z = -6.1312500000000005;
+    start.wall = 1e6;
+    const double off = distance(accelerationsOf(stepper, start), {0.0, 0.0, start.gravity.z, 0.0, 0.0, 0.0});
+    QVERIFY2(off < 1e-3, qPrintable(QStringLiteral("off by %1 m/s^2").arg(off)));
 }
 
 /// Two press less than all four, also once their normals have turned within a step.
