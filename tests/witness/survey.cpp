@@ -35,7 +35,8 @@ bool hasNoAnswer(const Verdict &verdict) {
 /// So many make as many runs as planned, if every scene has an answer.
 uint64_t seedsOf(const Plan &plan) {
     const uint64_t parts = (plan.withInvariants ? 1 : 0) + (plan.withLaw ? 1 : 0);
-    const uint64_t perSeed = parts * plan.kinds.size() * plan.models.size() * plan.steppers.size();
+    const uint64_t all = parts * plan.kinds.size() * plan.models.size() * plan.steppers.size();
+    const uint64_t perSeed = std::max<uint64_t>(1, all);
     return (plan.runs + perSeed - 1) / perSeed;
 }
 
