@@ -46,17 +46,15 @@ void rub(const Contacts &contacts, const Round &round, double radius, Motion &mo
 /// The contacts that bounce; if there are none, those that the ball approaches more slowly. These last: together with
 /// the others, friction would act there as in an impact.
 Round approaching(const Contacts &contacts, const Motion &motion, double negligible) {
-    const auto approach = [&](const Contact &contact) { return -glm::dot(motion.velocity, contact.normal); };
-    const auto bounces = [&](const Contact &contact) {
-        return approach(contact) > std::max(contact.restSpeed, negligible);
-    };
-    const bool anyBounces = std::any_of(contacts.begin(), contacts.end(), bounces);
     Round round;
-    for (uint32_t i = 0; i < contacts.count(); ++i) {
-        const Contact &contact = contacts[i];
-        if (anyBounces ? !bounces(contact) : approach(contact) <= negligible) continue;
-        const double restitution = anyBounces ? contact.restitution : 0.0;
-        round.add(i, contact.normal, (1.0 + restitution) * approach(contact));
+    for (const bool bounce : {true, false}) {
+        for (uint32_t i = 0; i < contacts.count(); ++i) {
+            const Contact &contact = contacts[i];
+            const double approach = -glm::dot(motion.velocity, contact.normal);
+            if (approach <= (bounce ? std::max(contact.restSpeed, negligible) : negligible)) continue;
+            round.add(i, contact.normal, (1.0 + (bounce ? contact.restitution : 0.0)) * approach);
+        }
+        if (round.count > 0) break;
     }
     return round;
 }
