@@ -76,7 +76,7 @@ void countHop(uint32_t count, double time, MovingBall &ball) {
 }
 
 bool movesAfterManyHops(const MovingBall &ball) {
-    constexpr double kNear = 1e-3; // radii
+    constexpr double kNear = 0.01; // radii
     return hasManyHops(ball) && !(ball.isStill() && glm::length(ball.position - ball.lastHop) <= kNear * ball.radius());
 }
 
