@@ -13,7 +13,6 @@ constexpr int kMostStartPasses = 100; // of the iteration for the directions in 
 constexpr int kMostPulling = 24;      // with a contact that would have to pull: later passes wouldn't fit
 constexpr int kMostOfMore = 24;       // with a larger sum of N than a combination that fits
 constexpr int kMostHopeless = 8;      // the same or with a slip that friction would end, if another combination fits
-constexpr int kMostAlternating = 12;  // between the same two directions, of which each asks for the other
 constexpr int kPlainPasses = 8;       // before mixing begins: the first passes turn the directions the right way
 
 /// The directions that are sought: of contacts, and last that of resistance.
@@ -25,19 +24,6 @@ public:
     const Vec3 &operator[](uint32_t i) const { return m_directions[i]; }
     const Vec3 &last() const { return m_directions[m_count - 1]; }
 
-    /// Whether any direction is more than a right angle away.
-    bool isOpposite(const Aims &other) const {
-        for (uint32_t i = 0; i < m_count; ++i) {
-            if (glm::dot(m_directions[i], other.m_directions[i]) < 0.0) return true;
-        }
-        return false;
-    }
-    bool isNear(const Aims &other) const {
-        constexpr double kNear = 1e-8;
-        Aims apart = *this;
-        apart.add(-1.0, other);
-        return apart.dot(apart) < kNear * kNear;
-    }
     double dot(const Aims &other) const {
         double sum = 0.0;
         for (uint32_t i = 0; i < m_count; ++i) sum += glm::dot(m_directions[i], other.m_directions[i]);
@@ -195,29 +181,11 @@ bool wouldStick(const Combination &c, const Sought &sought, const Asked &asked) 
     return false;
 }
 
-/// Whether directions alternate between opposite ones: mixing leaves that soon, or never.
-class Alternation {
-public:
-    bool isEndless(const Aims &aims, const Aims &asked) {
-        const bool alternates = aims.isOpposite(asked) && m_passes > 1 && aims.isNear(m_beforeLast);
-        m_alternating = alternates ? m_alternating + 1 : 0;
-        m_beforeLast = m_last;
-        m_last = aims;
-        ++m_passes;
-        return m_alternating == kMostAlternating;
-    }
-
-private:
-    Aims m_last, m_beforeLast;
-    int m_passes = 0, m_alternating = 0;
-};
-
 /// Turns the directions until they agree with the accelerations. False if they don't converge.
 bool settleDirections(Combination &c, const Sought &sought) {
     solve(c);
     if (sought.starting == 0 && sought.rolls == kMostHeld) return true;
     Mixing mixing;
-    Alternation alternation;
     int pullingPasses = 0, passesOfMore = 0, hopelessPasses = 0;
     const double zero = kRoughly * accelerationScale(c.moment);
     for (int pass = 0; pass < kMostStartPasses && !c.work.isTooMuch(); ++pass) {
@@ -232,7 +200,6 @@ bool settleDirections(Combination &c, const Sought &sought) {
         if (isMore && ++passesOfMore == kMostOfMore) return false;
         const bool isHopeless = isPulling || wouldStick(c, sought, asked);
         if (c.most < INFINITY && isHopeless && ++hopelessPasses == kMostHopeless) return false;
-        if (alternation.isEndless(aims, asked.aims)) return false;
     }
     return false;
 }
