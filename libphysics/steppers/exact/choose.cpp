@@ -12,37 +12,6 @@ namespace phys {
 
 namespace {
 
-/// Whether the path of a rolling ball is certainly curved: its velocity isn't parallel to the drive.
-bool turnsAgainst(const MovingBall &ball, const Vec3 &drive, double resistance) {
-    constexpr double kLeast = 1e-10; // sine of the angle between the velocity and its rate of change
-    const Vec3 &v = ball.motion.velocity;
-    const double across = v.x * drive.y - v.y * drive.x, most = kLeast * (glm::length(drive) + resistance);
-    return across * across > most * most * glm::dot(v, v);
-}
-
-/// Most phases in most scenes: a ball rolls along a curve on one floor, with no other contact. False in other cases.
-bool rollsOn(const MovingBall &ball, const Touching &touching, Choice &choice) {
-    const Vec3 gravity = ball.setting.gravity(), level(gravity.x, gravity.y, 0.0), up(0.0, 0.0, 1.0);
-    const Vec3 &v = ball.motion.velocity, &spin = ball.motion.spin;
-    const double R = ball.radius(), pressure = -gravity.z, resistance = ball.params().rolling_friction * pressure;
-    if (touching.count() != 1 || !touching.contactOf(0).isTop || !touching.contactOf(0).isFace()) return false;
-    if (!(pressure > 0.0) || v.z != 0.0 || !(resistance > 0.0)) return false;
-    if (!turnsAgainst(ball, level, resistance)) return false;
-    if (ball.setting.isRigid()) {
-        if (2.0 / 7.0 * glm::length(level) > ball.params().sliding_friction * pressure) return false;
-        if (!isNoSlip(ball.moment(), slipAt(ball.moment(), up))) return false;
-    }
-    if (isNoSlip(ball.moment(), R * Vec3(spin.x, spin.y, 0.0))) return false;
-    choice.phase = Resisted::rolling(2, v, 5.0 / 7.0 * level, 5.0 / 7.0 * resistance, R, spin, up);
-    Response &response = choice.response;
-    response.count = 1;
-    response.reactions[0] = {Mode::sticking, pressure, Vec3(0.0), Vec3(0.0), Vec3(0.0)};
-    response.acceleration = level;
-    response.spinAcceleration = response.rolling = Vec3(0.0); // nothing remains of the previous phase
-    response.noise = 0.0;
-    return true;
-}
-
 /// A ball that stays in place can only turn about the normals of its sticking contacts.
 void keepFixed(const MovingBall &ball, const Touching &touching, Response &response) {
     if (ball.motion.velocity != Vec3(0.0) || response.acceleration != Vec3(0.0)) return;
@@ -282,7 +251,6 @@ uint32_t onlyFace(const Touching &touching, const Response &response) {
 }
 
 phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
-    if (rollsOn(ball, touching, choice)) return PHYS_OK;
     if (hasManyHops(ball)) stopSpinAlong(touching, ball);
     Response &response = choice.response;
     if (const phys_status status = respondNow(touching, ball, response)) return status;
