@@ -36,20 +36,7 @@ bool Outlook::isKept(uint32_t number, const phys_box &other) const {
         if (contact.box == number && contact.isFace() && isBarred(axisOf(contact))) return true;
         if (!(lasting >> i & 1U)) continue;
         if (contact.box == number) return true;
-        if (contact.isFace()) {
-            if (isBehind(contact, other)) return true;
-            continue;
-        }
-        const phys_box &own = box(contact.box);
-        bool isSame = true;
-        for (int axis = 0; axis < 3; ++axis) {
-            const int sign = contact.sides[axis];
-            const double low = (&other.min.x)[axis], high = (&other.max.x)[axis];
-            isSame = isSame &&
-                     (sign != 0 ? std::abs(planeOf(other, axis, sign) - planeOf(own, axis, sign)) <= scene.tolerance
-                                : position[axis] >= low && position[axis] <= high);
-        }
-        if (isSame) return true;
+        if (contact.isFace() && isBehind(contact, other)) return true;
     }
     return false;
 }

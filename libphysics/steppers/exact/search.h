@@ -40,7 +40,7 @@ struct Outlook {
     const phys_box &box(uint32_t number) const { return scene.boxes[number]; }
 
     /// Whether the ball can't meet a box while the lasting contacts last: the box is one of them, lies behind the face
-    /// of one, shares its edge, or is separated from one by a face that the ball touches.
+    /// of one, or is separated from one by a face that the ball touches.
     bool isKept(uint32_t number, const phys_box &box) const;
 
     /// Whether a box lies behind a face that the ball touches, whether that contact lasts or not.
@@ -134,7 +134,7 @@ struct FaceTarget {
 
     FaceTarget(const Vec3 &position, const phys_box &box, int across, int side, bool touched)
         : axis(across)
-        , face((side > 0 ? &box.max.x : &box.min.x)[across] - position[across])
+        , face(planeOf(box, across, side) - position[across])
         , isTouched(touched) {
         normal[axis] = side;
     }
