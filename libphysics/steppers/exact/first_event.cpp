@@ -4,25 +4,13 @@
 #include "contact/held.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
 namespace phys {
 
 namespace {
-
-/// The numbers of the contacts that stay closed, as bits, and their count.
-struct Closed {
-    uint32_t bits = 0, count = 0;
-
-    Closed(const Touching &touching, const Response &response) {
-        for (uint32_t i = 0; i < touching.count(); ++i) {
-            if (!isClosed(response, i)) continue;
-            bits |= 1U << touching.numberOf(i);
-            ++count;
-        }
-    }
-};
 
 template<class P>
 End ownEnd(const P &phase, const Touching &, const Response &, MovingBall &ball) {
@@ -218,10 +206,10 @@ Event firstEvent(const P &phase, const Ground &ground, const Touching &touching,
     cutAtChoice(phase, touching, response, ball, end);
     cutAtRelief(phase, touching, response, ball, end);
     const double acceleration = phase.mostAcceleration();
-    const Closed closed(touching, response);
-    const bool meetsNothing = ground.isOpen(ball, closed.count, acceleration);
+    const uint32_t closed = closedContacts(touching, response);
+    const bool meetsNothing = ground.isOpen(ball, static_cast<uint32_t>(std::popcount(closed)), acceleration);
     if (meetsNothing && ground.keeps(ball, acceleration)) return {end, {}};
-    const Outlook around{ball.scene(), ball.position, ball.motion, touching.contacts, ball.work, closed.bits};
+    const Outlook around{ball.scene(), ball.position, ball.motion, touching.contacts, ball.work, closed};
     // Near boxes are searched first, as the ends of long faces are usually far away.
     const double length = kFirstWindow * ball.radius(), speed = glm::length(ball.motion.velocity);
     const double soon = meetsNothing ? 0.0 : std::min(end.after, leastTime(length, speed, acceleration));

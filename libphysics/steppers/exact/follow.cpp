@@ -119,22 +119,6 @@ void keepEdges(const Touching &touching, const Response &response, MovingBall &b
     }
 }
 
-/// Puts the ball at the radius of the faces that stay closed, or in the middle between two, like takeFaces.
-void keepFaces(const Touching &touching, const Response &response, MovingBall &ball) {
-    for (uint32_t i = 0; i < touching.count(); ++i) {
-        const Contact &contact = touching.contactOf(i);
-        if (!isClosed(response, i) || !contact.isFace()) continue;
-        const phys_box &box = ball.scene().boxes[contact.box];
-        const int axis = axisOf(contact), side = contact.sides[axis];
-        ball.position[axis] = planeOf(box, axis, side) + side * ball.radius();
-        for (uint32_t j = 0; j < i; ++j) {
-            const Contact &other = touching.contactOf(j);
-            if (!isClosed(response, j) || !other.isFace() || other.sides[axis] != -side) continue;
-            ball.position[axis] = 0.5 * (ball.position[axis] + other.point[axis] - side * ball.radius());
-        }
-    }
-}
-
 /// Puts the ball on the border that it has reached, and on another one that it has reached at the same time.
 void keepBorders(const Border &border, MovingBall &ball) {
     ball.position[border.axis] = border.coordinate;
@@ -288,7 +272,7 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
     if (holds) clearSlips(end, sticking, rounding, touching, response, ball);
     if (end.cause != Cause::time || !rests(ball, response)) {
         keepEdges(touching, response, ball);
-        keepFaces(touching, response, ball);
+        takeFaces(touching.contacts, closedContacts(touching, response), ball);
         stopAcross(touching, response, ball);
     }
     rollOnTops(sticking, rounding, touching, response, ball);

@@ -106,11 +106,11 @@ void holdBeside(double negligible, const MovingBall &ball, Touching &touching) {
 
 /// The contacts that last: exactly at the radius, with no velocity along the normal or one whose bounce ends at once.
 void holdFound(double negligible, MovingBall &ball, Touching &touching) {
-    takeFaces(touching.contacts, ball);
+    takeFaces(touching.contacts, kAll, ball);
     touching.holdStill(ball.motion.velocity, negligible, ball.params());
     while (touching.count() < std::min(touching.contacts.count(), kMostHeld) && holdNext(negligible, ball, touching)) {
     }
-    project(touching, ~0U, ball);
+    project(touching, kAll, ball);
     holdBeside(negligible, ball, touching);
 }
 
@@ -128,7 +128,7 @@ void stopBounces(double negligible, MovingBall &ball, Touching &touching) {
     for (Contact &contact : touching.contacts) contact.restitution = 0.0;
     collide(negligible, ball, touching);
     touching.holdStill(ball.motion.velocity, negligible, ball.params());
-    project(touching, ~0U, ball);
+    project(touching, kAll, ball);
 }
 
 /// Rolling model: whether a top face carries a ball with this spin. The reactions at other contacts may lift it off, or
@@ -208,7 +208,7 @@ void resolve(const Ground &ground, MovingBall &ball, Touching &touching) {
     const double speed = glm::length(ball.motion.velocity), negligible = ball.negligibleSpeed();
     touch(ground, ball, touching.contacts);
     if (movesAlongFaces(ball, touching.contacts)) {
-        takeFaces(touching.contacts, ball);
+        takeFaces(touching.contacts, kAll, ball);
         return holdFaces(ball, touching);
     }
     const bool wasRolling = isRolling(ball, touching.contacts, negligible);

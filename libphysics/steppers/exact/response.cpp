@@ -178,6 +178,14 @@ void balance(const MovingBall &ball, const Touching &touching, Response &respons
     response.spinAcceleration += share * turned;
 }
 
+uint32_t closedContacts(const Touching &touching, const Response &response) {
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        bits |= (isClosed(response, i) ? 1U : 0U) << touching.numberOf(i);
+    }
+    return bits;
+}
+
 uint32_t countSticking(const Response &response) {
     uint32_t count = 0;
     for (const Reaction &reaction : response.list()) count += reaction.mode == Mode::sticking ? 1 : 0;

@@ -18,6 +18,9 @@ inline bool isClosed(const Response &response, uint32_t lasting) {
     return response.reactions[lasting].mode != Mode::open;
 }
 
+/// Bits of the contacts (of all, not only lasting ones) that stay closed.
+uint32_t closedContacts(const Touching &touching, const Response &response);
+
 /// Of three slipping contacts with normals in one plane two carry the load, of four that leave the ball no way three:
 /// those with the smaller sum of N. How it may pass to the other one: model.md 14.1.
 struct Exchange {

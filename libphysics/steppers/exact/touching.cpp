@@ -42,18 +42,15 @@ void Touching::holdStill(const Vec3 &velocity, double negligible, const phys_par
     }
 }
 
-void takeFaces(const Contacts &contacts, MovingBall &ball) {
+void takeFaces(const Contacts &contacts, uint32_t among, MovingBall &ball) {
     constexpr uint32_t kLow = 1, kHigh = 2; // the side of the face on which the ball is
     std::array<Vec3, 2> at{};
     std::array<uint32_t, 3> sides{};
-    for (const Contact &contact : contacts) {
-        if (!contact.isFace()) continue;
-        for (int axis = 0; axis < 3; ++axis) {
-            const int side = contact.sides[axis];
-            if (side == 0) continue;
-            at[side > 0 ? 1 : 0][axis] = contact.point[axis] + side * ball.radius();
-            sides[static_cast<size_t>(axis)] |= side > 0 ? kHigh : kLow;
-        }
+    for (uint32_t i = 0; i < contacts.count(); ++i) {
+        if (!(among >> i & 1U) || !contacts[i].isFace()) continue;
+        const int axis = axisOf(contacts[i]), side = contacts[i].sides[axis];
+        at[side > 0 ? 1 : 0][axis] = contacts[i].point[axis] + side * ball.radius();
+        sides[static_cast<size_t>(axis)] |= side > 0 ? kHigh : kLow;
     }
     for (int axis = 0; axis < 3; ++axis) {
         const uint32_t touched = sides[static_cast<size_t>(axis)];
@@ -71,7 +68,7 @@ bool takeEdges(const Contacts &contacts, MovingBall &ball) {
         if (contact.isFace()) free[axisOf(contact)] = 0.0;
     }
     for (int round = 0; round < kRounds && contacts.count() > 1; ++round) {
-        takeFaces(contacts, ball);
+        takeFaces(contacts, kAll, ball);
         Vec3 off(0.0); // of all similar ones, so that their order doesn't matter
         double count = 0.0;
         for (const Contact &contact : contacts) {

@@ -35,9 +35,12 @@ private:
     uint32_t m_count = 0;
 };
 
-/// Puts the ball exactly at the radius from the faces that it touches, and in the middle between opposite ones: if it
-/// were put at the radius from either, a ball at rest would be moved back and forth.
-void takeFaces(const Contacts &contacts, MovingBall &ball);
+/// Bits of any contacts.
+inline constexpr uint32_t kAll = ~0U;
+
+/// Puts the ball exactly at the radius from the faces among contacts (bits), and in the middle between opposite ones:
+/// if it were put at the radius from either, a ball at rest would be moved back and forth.
+void takeFaces(const Contacts &contacts, uint32_t among, MovingBall &ball);
 
 /// The same for edges and corners beside other contacts: impacts with nearly touched ones would drive the ball back and
 /// forth without end. Whether that has moved the ball.
