@@ -4,8 +4,11 @@
 #include "ui/game/clock_text.h"
 #include "ui/game/game_strip.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QSignalBlocker>
+
+#include <algorithm>
 
 namespace inspector::ui {
 
@@ -20,9 +23,9 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
     setHeaderLabels({tr("Level"), tr("Best time")});
     header()->setStretchLastSection(true);
     header()->setSectionsMovable(false);
-    setColumnWidth(0, 130);
     setUniformRowHeights(true);
     for (const Level &level : session.levels().listed()) new QTreeWidgetItem(this, {levelTitle(session, level)});
+    fitNames();
 
     connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem *item) {
         m_session.game().choose(indexOfTopLevelItem(item));
@@ -32,6 +35,16 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
     connect(&session, &Session::levelOpened, this, &LevelPanel::showState);
     connect(&session.game(), &Game::phaseChanged, this, &LevelPanel::showState);
     showState();
+}
+
+void LevelPanel::fitNames() {
+    constexpr int kLeast = 130; // pixels
+    setColumnWidth(0, std::max(kLeast, sizeHintForColumn(0)));
+}
+
+void LevelPanel::changeEvent(QEvent *event) {
+    QTreeWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitNames();
 }
 
 void LevelPanel::showState() {

@@ -16,8 +16,12 @@ public:
     explicit LevelPanel(Session &session, QWidget *parent = nullptr);
     QSize sizeHint() const override { return {280, 200}; }
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
     void showState();
+    void fitNames();
 
     Session &m_session;
 };

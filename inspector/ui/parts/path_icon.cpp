@@ -116,6 +116,10 @@ Drawing drawingOf(Glyph glyph) {
         drawing.stroked = line({{8.0, 3.0}, {8.0, 13.0}});
         drawing.stroked.addPath(line({{3.0, 8.0}, {13.0, 8.0}}));
         break;
+    case Glyph::More:
+        drawing.stroked = line({{3.0, 4.0}, {7.0, 8.0}, {3.0, 12.0}});
+        drawing.stroked.addPath(line({{9.0, 4.0}, {13.0, 8.0}, {9.0, 12.0}}));
+        break;
     case Glyph::Follow:
         drawing.stroked = line({{2.0, 8.0}, {11.0, 8.0}});
         drawing.stroked.addPath(line({{8.0, 5.0}, {11.0, 8.0}, {8.0, 11.0}}));

@@ -23,7 +23,8 @@ enum class Glyph {
     Save,
     Open,
     Follow,
-    Add
+    Add,
+    More
 };
 
 /// A line drawing in the current palette's text colour, sharp at every size and resolution.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parts/theme.h"
 
+#include "ui/parts/path_icon.h"
+
 #include <QApplication>
 #include <QEvent>
 #include <QFont>
@@ -65,8 +67,8 @@ double textScale() { return QApplication::font().pointSizeF() / systemLook().fon
 
 /// Fusion, except for this. On dark palettes it frames an empty check box, in widgets and lists alike, with a darker
 /// shade of the window and fills it with the base, which is hardly visible there; nor is its frame around what has the
-/// keyboard, on any palette. Rows of lists are as high as their text, and so hard to tell apart. And icons and check
-/// boxes don't grow with the texts.
+/// keyboard, on any palette, nor on dark ones the arrows that open the rest of a toolbar. Rows of lists are as high as
+/// their text, and so hard to tell apart. And icons and check boxes don't grow with the texts.
 class ThemeStyle : public QProxyStyle {
 public:
     ThemeStyle()
@@ -81,7 +83,20 @@ public:
             return QProxyStyle::drawPrimitive(element, &box, painter, widget);
         }
         QProxyStyle::drawPrimitive(element, option, painter, widget);
-        if (element == PE_FrameFocusRect && option->state.testFlag(State_KeyboardFocusChange)) frame(*option, *painter);
+        const bool isPanel = element == PE_PanelButtonCommand && option->state.testFlag(State_HasFocus);
+        if (isPanel) frame(*option, option->rect.adjusted(1, 1, -1, -1), *painter); // inside its border
+        if (element == PE_FrameFocusRect) frame(*option, option->rect, *painter);
+    }
+
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex *option, QPainter *painter,
+                            const QWidget *widget) const override {
+        QProxyStyle::drawComplexControl(control, option, painter, widget);
+        if (control == CC_Slider && option->state.testFlag(State_HasFocus)) frame(*option, option->rect, *painter);
+    }
+
+    QIcon standardIcon(StandardPixmap icon, const QStyleOption *option, const QWidget *widget) const override {
+        const bool isRest = icon == SP_ToolBarHorizontalExtensionButton;
+        return isRest ? glyphIcon(Glyph::More) : QProxyStyle::standardIcon(icon, option, widget);
     }
 
     int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override {
@@ -103,12 +118,14 @@ private:
                                          PM_IndicatorWidth,           PM_IndicatorHeight,    PM_ExclusiveIndicatorWidth,
                                          PM_ExclusiveIndicatorHeight, PM_MenuButtonIndicator};
 
-    static void frame(const QStyleOption &option, QPainter &painter) {
+    /// Around what has been given the keyboard by keys.
+    static void frame(const QStyleOption &option, const QRectF &place, QPainter &painter) {
+        if (!option.state.testFlag(State_KeyboardFocusChange)) return;
         painter.save();
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(option.palette.color(isDark(option.palette) ? QPalette::Link : QPalette::Highlight));
         painter.setBrush(Qt::NoBrush);
-        painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2.0, 2.0);
+        painter.drawRoundedRect(place.adjusted(0.5, 0.5, -0.5, -0.5), 2.0, 2.0);
         painter.restore();
     }
 };

@@ -32,7 +32,6 @@ WatchList::WatchList(Session &session, QWidget *parent)
     setFocusPolicy(Qt::TabFocus); // a click doesn't take the keyboard from the game
     setDragEnabled(true);
     setHeaderLabels({tr("Quantity"), tr("Value"), tr("Unit")});
-    setColumnWidth(0, 130);
     setToolTip(tr("Right click: choose quantities. Drag a name onto a plot to see it there."));
     header()->setSectionsMovable(false);
     rebuild();
@@ -47,6 +46,20 @@ void WatchList::rebuild() {
         item->setData(0, Qt::UserRole, QByteArray(info.id));
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     }
+    fitColumns();
+}
+
+/// The names are seen whole, and each value, which would be read as another one if it were cut.
+void WatchList::fitColumns() {
+    constexpr int kLeastName = 130; // pixels
+    constexpr int kMargins = 8;     // of both sides
+    setColumnWidth(0, std::max(kLeastName, sizeHintForColumn(0)));
+    setColumnWidth(1, fontMetrics().horizontalAdvance(QStringLiteral("-0.00000e-00")) + kMargins);
+}
+
+void WatchList::changeEvent(QEvent *event) {
+    QTreeWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitColumns();
 }
 
 void WatchList::refresh(const Snapshot &now) {

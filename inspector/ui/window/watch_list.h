@@ -22,12 +22,14 @@ public:
     QSize sizeHint() const override { return {260, 180}; }
 
 protected:
+    void changeEvent(QEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
     QMimeData *mimeData(const QList<QTreeWidgetItem *> &items) const override;
 
 private:
     void toggle(Channel channel);
     void rebuild();
+    void fitColumns();
 
     Session &m_session;
     std::vector<Channel> m_channels;

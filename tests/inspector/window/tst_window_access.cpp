@@ -4,15 +4,14 @@
 #include "ui/parts/theme.h"
 #include "window_fixture.h"
 
-#include <QAbstractScrollArea>
 #include <QAccessible>
 #include <QDialog>
 #include <QDockWidget>
 #include <QLineEdit>
-#include <QScopeGuard>
 #include <QTabBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include <qcustomplot.h>
 
@@ -34,12 +33,16 @@ private slots:
     void iconsGrowWithTheTexts();
     void valueAxisIsWhole_data();
     void valueAxisIsWhole();
-    void buttonWithTheKeyboardIsSeen_data();
-    void buttonWithTheKeyboardIsSeen();
+    void whatHasTheKeyboardIsSeen_data();
+    void whatHasTheKeyboardIsSeen();
+    void restOfTheToolbarIsSeen_data();
+    void restOfTheToolbarIsSeen();
+    void listsShowNamesAndValuesWhole();
     void keyboardLeavesADockThatGoesBehindAnother();
 
 private:
     void chooseTextSize(int number) { m_fixture->trigger(QStringLiteral("text_size_%1").arg(number)); }
+    void chooseTheme(Theme theme);
     static QStringList namelessIn(const QWidget &window);
 
     std::unique_ptr<Fixture> m_fixture;
@@ -54,6 +57,11 @@ void TestWindowAccess::cleanup() {
     inspector::ui::applyTextScale(1.0);
     inspector::ui::applyTheme(Theme::System);
     m_fixture.reset();
+}
+
+void TestWindowAccess::chooseTheme(Theme theme) {
+    m_fixture->trigger(QStringLiteral("theme_%1").arg(int(theme)));
+    QTRY_COMPARE(m_fixture->window().palette(), QApplication::palette());
 }
 
 // Widgets that a screen reader meets; those inside of lists, number boxes and file dialogs are Qt's.
@@ -129,27 +137,72 @@ void TestWindowAccess::valueAxisIsWhole() {
         QVERIFY2(picture.pixelColor(0, y) == base, qPrintable(QStringLiteral("at %1").arg(y)));
 }
 
-void TestWindowAccess::buttonWithTheKeyboardIsSeen_data() {
+void TestWindowAccess::whatHasTheKeyboardIsSeen_data() {
+    QTest::addColumn<Theme>("theme");
+    QTest::addColumn<QByteArray>("kind");
+    for (const char *kind : {"QToolButton", "QPushButton", "QCheckBox", "QComboBox", "QLineEdit", "QSlider"}) {
+        QTest::addRow("%s, light", kind) << Theme::Light << QByteArray(kind);
+        QTest::addRow("%s, dark", kind) << Theme::Dark << QByteArray(kind);
+    }
+}
+
+// By the contrast that WCAG 2.1 (1.4.11) asks for.
+void TestWindowAccess::whatHasTheKeyboardIsSeen() {
+    QFETCH(Theme, theme);
+    QFETCH(QByteArray, kind);
+    chooseTheme(theme);
+    const auto hasIt = [&] {
+        const QWidget *widget = QApplication::focusWidget();
+        return widget && widget->inherits(kind) && widget->isEnabled();
+    };
+    for (int i = 0; i < 100 && !hasIt(); ++i) m_fixture->key(Qt::Key_Tab);
+    QVERIFY(hasIt());
+    QWidget *widget = QApplication::focusWidget();
+    QTest::keyClick(widget, Qt::Key_Home); // without a selection, if it is a text
+    const QImage with = widget->grab().toImage();
+    m_fixture->window().view().setFocus();
+    const QImage without = widget->grab().toImage();
+    double best = 1.0;
+    for (int y = 0; y < with.height(); ++y)
+        for (int x = 0; x < with.width(); ++x)
+            best = std::max(best, support::contrastOf(with.pixelColor(x, y), without.pixelColor(x, y)));
+    QVERIFY2(best >= 3.0, qPrintable(QString::number(best)));
+}
+
+// What doesn't fit into the toolbar is behind a button of Qt's.
+void TestWindowAccess::restOfTheToolbarIsSeen_data() {
     QTest::addColumn<Theme>("theme");
     QTest::newRow("light") << Theme::Light;
     QTest::newRow("dark") << Theme::Dark;
 }
 
-// By the contrast that WCAG 2.1 (1.4.11) asks for.
-void TestWindowAccess::buttonWithTheKeyboardIsSeen() {
+void TestWindowAccess::restOfTheToolbarIsSeen() {
     QFETCH(Theme, theme);
-    inspector::ui::applyTheme(theme);
-    auto *button = m_fixture->find<QToolButton>("plot_pause");
-    m_fixture->window().view().setFocus();
-    const QImage before = button->grab().toImage();
-    for (int i = 0; i < 100 && !button->hasFocus(); ++i) m_fixture->key(Qt::Key_Tab);
-    QVERIFY(button->hasFocus());
-    const QImage after = button->grab().toImage();
+    chooseTheme(theme);
+    m_fixture->window().resize(640, 500);
+    auto *rest = m_fixture->find<QToolButton>("qt_toolbar_ext_button");
+    QTRY_VERIFY(rest->isVisible());
+    const QImage picture = rest->grab().toImage();
     double best = 1.0;
-    for (int y = 0; y < after.height(); ++y)
-        for (int x = 0; x < after.width(); ++x)
-            best = std::max(best, support::contrastOf(before.pixelColor(x, y), after.pixelColor(x, y)));
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            best = std::max(best, support::contrastOf(picture.pixelColor(x, y), picture.pixelColor(0, 0)));
     QVERIFY2(best >= 3.0, qPrintable(QString::number(best)));
+}
+
+void TestWindowAccess::listsShowNamesAndValuesWhole() {
+    m_fixture->trigger("show_watch_dock");
+    chooseTextSize(3);
+    m_fixture->makeSteps(7);
+    m_fixture->window().refresh();
+    for (const char *name : {"levels", "watched"}) {
+        const auto *list = m_fixture->find<QTreeWidget>(name);
+        for (int row = 0; row < list->topLevelItemCount(); ++row)
+            for (int column = 0; column < 2; ++column) {
+                const QString text = list->topLevelItem(row)->text(column);
+                QVERIFY2(list->fontMetrics().horizontalAdvance(text) < list->columnWidth(column), qPrintable(text));
+            }
+    }
 }
 
 void TestWindowAccess::keyboardLeavesADockThatGoesBehindAnother() {
