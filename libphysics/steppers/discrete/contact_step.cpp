@@ -83,14 +83,16 @@ Vec3 mixedVelocity(const LastingContacts &contacts, const Vec3 &before, const Ve
     return after - pressing.across(after - before);
 }
 
-/// Puts a ball onto the edge or corner that pressed it, and removes its speed along the normal. Returns how far it was
-/// off, m.
-double settleOn(const StepContext &context, const Contact &contact, Ball &ball) {
+/// Puts a ball onto the edge or corner that pressed it, off others only where their normals are nearly the same, and
+/// removes its speed along the normal. Returns how far it was off, m.
+double settleOn(const StepContext &context, const Contact &contact, const NormalSpan &others, Ball &ball) {
+    constexpr double kNearlySame = 0.01; // sine of the angle
     const Vec3 offset = contact.across(ball.position - contact.point);
     const double distance = glm::length(offset);
-    const Vec3 normal = offset / distance;
-    const double off = context.radius() - distance;
-    ball.position += off * normal;
+    const Vec3 normal = offset / distance, along = others.across(normal);
+    const double off = context.radius() - distance, share = glm::dot(along, normal);
+    const bool isAlone = along == normal || share < kNearlySame * kNearlySame;
+    ball.position += isAlone ? off * normal : off / share * along;
     ball.velocity -= glm::dot(ball.velocity, normal) * normal;
     return std::abs(off);
 }
@@ -105,13 +107,17 @@ void settleOnAll(const StepContext &context, const Contacts &contacts, const Las
     for (int i = 0; i < kMostSettlingSweeps && off > near && (i == 0 || pressing > 1); ++i) {
         off = 0.0;
         pressing = 0;
-        for (uint32_t k = 0; k < contacts.count(); ++k) {
-            if (!(lasting.begin()[k].reaction > 0.0)) continue;
-            ++pressing;
-            if (contacts[k].isFace())
-                snapToFace(context, contacts[k], ball);
-            else
-                off = std::max(off, settleOn(context, contacts[k], ball));
+        NormalSpan settled;
+        for (const bool areFaces : {true, false}) {
+            for (uint32_t k = 0; k < contacts.count(); ++k) {
+                if (!(lasting.begin()[k].reaction > 0.0) || contacts[k].isFace() != areFaces) continue;
+                ++pressing;
+                if (areFaces)
+                    snapToFace(context, contacts[k], ball);
+                else
+                    off = std::max(off, settleOn(context, contacts[k], settled, ball));
+                settled.add(normalAt(contacts[k], ball.position));
+            }
         }
     }
     if (pressing < 2) return;
@@ -539,21 +545,6 @@ bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind
         if (!presses.empty()) presses[i++] = isPressed;
     }
     return onTop;
-}
-
-void NormalSpan::add(const Vec3 &normal) {
-    constexpr double kParallel = 1e-9;
-    if (m_count == 3 || glm::length(across(normal)) <= kParallel) return;
-    if (m_count == 0) m_first = normal;
-    if (m_count == 1) m_along = glm::normalize(glm::cross(m_first, normal));
-    ++m_count;
-}
-
-Vec3 NormalSpan::across(const Vec3 &vector) const {
-    if (m_count == 0) return vector;
-    if (m_count == 1) return vector - glm::dot(vector, m_first) * m_first;
-    // Both orders of two normals give the same bits; there are no negative zeros.
-    return m_count == 2 ? glm::dot(vector, m_along) * m_along + Vec3(0.0) : Vec3(0.0);
 }
 
 bool leaveOverlaps(const StepContext &context, Ball &ball) {

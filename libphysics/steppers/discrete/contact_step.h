@@ -110,10 +110,21 @@ inline constexpr double kMostTaken = 4.0;
 /// The span of several normals.
 class NormalSpan {
 public:
-    void add(const Vec3 &normal);
+    void add(const Vec3 &normal) {
+        constexpr double kParallel = 1e-9;
+        if (m_count == 3 || glm::length(across(normal)) <= kParallel) return;
+        if (m_count == 0) m_first = normal;
+        if (m_count == 1) m_along = glm::normalize(glm::cross(m_first, normal));
+        ++m_count;
+    }
     uint32_t count() const { return m_count; }
     /// The component of a vector orthogonal to all of them.
-    Vec3 across(const Vec3 &vector) const;
+    Vec3 across(const Vec3 &vector) const {
+        if (m_count == 0) return vector;
+        if (m_count == 1) return vector - glm::dot(vector, m_first) * m_first;
+        // Both orders of two normals give the same bits; there are no negative zeros.
+        return m_count == 2 ? glm::dot(vector, m_along) * m_along + Vec3(0.0) : Vec3(0.0);
+    }
 
 private:
     Vec3 m_first{0.0}; ///< normal

@@ -80,6 +80,8 @@ private slots:
     void rollingRoundAnUprightEdgeIsResisted();
     void whatIsLeftOfAnApproachHasNoPartInAnImpact_data() { addStepperRows(); }
     void whatIsLeftOfAnApproachHasNoPartInAnImpact();
+    void staysAtTwoEdgesThatItRollsOver_data();
+    void staysAtTwoEdgesThatItRollsOver();
     void ofThreeWallsTheTwoThatPressLeastPress_data() { addStepperRows(); }
     void ofThreeWallsTheTwoThatPressLeastPress();
     void frictionAlonePressesOnAnEdge_data() { addStepperRows(); }
@@ -407,6 +409,30 @@ void TestRigidModel::whatIsLeftOfAnApproachHasNoPartInAnImpact() {
     QVERIFY2(ball.stepTimes(kSteps, 0.06486232841586086 / kSteps), ball.error());
     const double off = ball.state.position.y / 0.006 + 0.822839484; // of exact, and of an integrator of its own
     QVERIFY2(std::abs(off) < 1e-3, qPrintable(QStringLiteral("off by %1 R").arg(off)));
+}
+
+void TestRigidModel::staysAtTwoEdgesThatItRollsOver_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    for (const QByteArray &id : higherOrderStepperIds()) QTest::newRow(id.constData()) << id;
+}
+
+/// Out of the inner corner of a hole, whose edges have nearly the same normal.
+void TestRigidModel::staysAtTwoEdgesThatItRollsOver() {
+    QFETCH(QByteArray, stepper);
+    constexpr int kSteps = 100;
+    Experiment ball(SceneBuilder()
+                        .ball(1.0)
+                        .box({{-20.0, -20.0, -4.0}, {-0.4, 20.0, 0.0}})
+                        .box({{-20.0, -20.0, -4.0}, {20.0, -0.4, 0.0}})
+                        .start({0.0, 0.0, -5.5}),
+                    stepper, PHYS_MODEL_RIGID);
+    ball.params.gravity = {-4.0, -5.0, -7.6};
+    ball.params.restitution_wall = ball.params.restitution_floor = 0.0;
+    ball.params.sliding_friction = ball.params.wall_friction = 1.0;
+    ball.state.position = {0.0, 0.0, std::sqrt(1.0 - 0.4 * 0.4)};
+    QVERIFY2(ball.stepTimes(kSteps, 1.0 / kSteps), ball.error());
+    const double off = std::hypot(ball.state.position.x + 1.157552, ball.state.position.y + 1.227512); // of exact
+    QVERIFY2(off < 1e-3, qPrintable(QStringLiteral("off by %1 R").arg(off)));
 }
 
 void TestRigidModel::ofThreeWallsTheTwoThatPressLeastPress() {
