@@ -273,6 +273,7 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
     if (end.cause != Cause::time || !rests(ball, response)) {
         keepEdges(touching, response, ball);
         takeFaces(touching.contacts, closedContacts(touching, response), ball);
+        turnNormals(ball, response, touching); // to the stored place, beyond whose digits the others have led
         stopAcross(touching, response, ball);
     }
     rollOnTops(sticking, rounding, touching, response, ball);

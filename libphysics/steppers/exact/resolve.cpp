@@ -50,6 +50,7 @@ void endBounces(double negligible, MovingBall &ball, Touching &touching) {
         return speed >= -negligible || after * after > fast;
     });
     if (bounceOn) return;
+    ball.work.add(Work::kTouch);
     touching.holdStill(ball.motion.velocity, negligible, ball.params());
     const Vec3 acting = actingAcceleration(touching, ball);
     for (Contact &contact : contacts) {

@@ -33,6 +33,7 @@ private slots:
     void fastBallBouncesInACorridor();
     void thinWallIsSeenAtAnySpeed();
     void millionMetresAway();
+    void carriedByAnEdgeFarAwayItHitsAnother();
     void flushTilesAreOnePlane();
     void thousandTouchingBoxes();
     void meetsThePostAtTheEndOfALongFlight();
@@ -269,6 +270,27 @@ void ExactExtremes::millionMetresAway() {
     // 0.875 m there in 0.875 s, then 1.125 s back at half the speed; a rounding step is 1.2e-10 m here.
     QVERIFY(std::abs(run.state.position.x - (far + 0.875 - 0.5625)) <= 2.0 * 1.2e-10);
     QCOMPARE(run.state.velocity.x, -0.5);
+}
+
+void ExactExtremes::carriedByAnEdgeFarAwayItHitsAnother() {
+    // The edge that carries the ball has no part in the first round of its impact on another one's, whatever rounding
+    // of its place does to the normal.
+    const auto speedAfter = [](double far) {
+        Run run({{{far - 0.16, -0.16, -0.008}, {far + 0.16, 0.16, 0}},
+                 {{far + 0.006088379363063723, -0.16, 0.012708089139778167}, {far + 0.16, 0.16, 0.036}},
+                 {{far - 0.16, -0.16, 0}, {far - 0.007525316483224742, 0.16, 0.0057137460680678487}}},
+                0.0078125, {far - 0.0062764677131781355, 0, 0.013671875},
+                {0.023861540382553635, 0.016629343722621013, 0});
+        run.state.spin = {-2.6538188786087278, 0, -2.4001981771637246};
+        run.params.model = PHYS_MODEL_RIGID;
+        run.params.restitution_floor = run.params.restitution_wall = 0.0;
+        run.params.sliding_friction = 0.7;
+        run.params.wall_friction = 0.40349674882495817;
+        run.params.gravity = {0, 6.6948956294370099, -7.1703885885595655};
+        run.step(0.082);
+        return run.state.velocity.y;
+    };
+    QVERIFY(std::abs(speedAfter(256.0) - speedAfter(0.0)) <= 1e-6);
 }
 
 void ExactExtremes::flushTilesAreOnePlane() {
