@@ -13,4 +13,7 @@ struct Ball {
     bool supported; ///< by a floor: its height is then a constraint instead of a bounce in each step
 };
 
+/// J/kg
+inline double spinEnergy(const Vec3 &spin, double radius) { return 0.2 * radius * radius * glm::dot(spin, spin); }
+
 } // namespace phys

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "contact/ball.h"
 #include "contact/short_list.h"
 #include "scene/scene.h"
 
@@ -18,6 +19,11 @@ struct Motion {
     Vec3 velocity;
     Vec3 spin;
 };
+
+/// J/kg
+inline double kineticEnergy(const Motion &motion, double radius) {
+    return 0.5 * glm::dot(motion.velocity, motion.velocity) + spinEnergy(motion.spin, radius);
+}
 
 /// v, shortened to length `most` if it is longer.
 inline Vec3 clipped(const Vec3 &v, double most) {

@@ -22,11 +22,6 @@ struct Round {
     }
 };
 
-double kineticEnergy(const Motion &motion, double radius) {
-    return 0.5 * glm::dot(motion.velocity, motion.velocity) +
-           0.2 * radius * radius * glm::dot(motion.spin, motion.spin);
-}
-
 /// NORMAL: the smallest impulses that give every contact its required speed.
 void pushApart(Round &round, double negligible, Motion &motion, Work &work) {
     motion.velocity += leastPush({round.pushes.data(), round.count}, negligible, work);

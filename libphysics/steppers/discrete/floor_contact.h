@@ -98,9 +98,6 @@ enum class FloorContact {
     Slips   ///< rigid model: friction turns slip into spin
 };
 
-/// J/kg.
-inline double spinEnergy(const Vec3 &spin, double radius) { return 0.2 * radius * radius * glm::dot(spin, spin); }
-
 /// Whether u = 0 within rounding: model.md 2.2 F2.
 inline bool rolls(const Vec2 &velocity, const Vec3 &spin, double radius) {
     const Vec2 w = spinSpeed(spin, radius);

@@ -240,11 +240,6 @@ void rub(const Contact &face, double impulse, double share, MovingBall &ball) {
     ball.motion.spin -= kInertia / ball.radius() * glm::cross(face.normal, friction);
 }
 
-double energyOf(const MovingBall &ball) {
-    const double R = ball.radius();
-    return 0.5 * squared(ball.motion.velocity) + 0.2 * R * R * squared(ball.motion.spin);
-}
-
 /// Many even bounces: from the middle of one impulse to that of another the mean pressure moves the ball along the face
 /// as they do, up to the square of a flight. False if there are few.
 bool skipSlip(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts) {
@@ -254,7 +249,7 @@ bool skipSlip(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts) 
     BounceSeries series(ball.motion, face, ball.setting.gravity());
     if (series.speed <= leastBounce(ball, contacts)) return false;
     const double flight = series.flight, impulse = (1.0 + face.restitution) * series.speed;
-    const double friction = face.friction * impulse / flight, before = energyOf(ball);
+    const double friction = face.friction * impulse / flight, before = kineticEnergy(ball.motion, ball.radius());
     const Motion given = ball.motion;
     ball.motion.velocity = series.along;
     rub(face, impulse, -0.5, ball);
@@ -279,7 +274,7 @@ bool skipSlip(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts) 
     ball.motion = {end.velocity, end.spin};
     rub(face, impulse, 0.5, ball);
     ball.motion.velocity += series.speed * face.normal;
-    ball.report.lostSlip(before + glm::dot(pull, end.way) - energyOf(ball));
+    ball.report.lostSlip(before + glm::dot(pull, end.way) - kineticEnergy(ball.motion, ball.radius()));
     ball.work.add(Work::kBounce + Resisted::lookWork());
     ball.pass(count * flight);
     return true;

@@ -262,7 +262,7 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
     stopHeld(touching, response, ball);
     Motion &motion = ball.motion;
     if (!ball.setting.isRigid() && touching.count() > 0 && rests(ball, response)) { // in the air the spin stays
-        ball.report.lostSlip(0.2 * ball.radius() * ball.radius() * glm::dot(motion.spin, motion.spin));
+        ball.report.lostSlip(spinEnergy(motion.spin, ball.radius()));
         motion.spin = Vec3(0.0);
     }
     if (rests(ball, response)) {

@@ -299,10 +299,7 @@ private:
     void report(const Contact &face, const Motion &before) {
         if (!m_ball.report.wanted()) return;
         const double R = m_ball.radius();
-        const auto energy = [R](const Motion &motion) {
-            return 0.5 * glm::dot(motion.velocity, motion.velocity) + 0.2 * R * R * glm::dot(motion.spin, motion.spin);
-        };
-        m_ball.report.lostImpact(energy(before) - energy(m_ball.motion));
+        m_ball.report.lostImpact(kineticEnergy(before, R) - kineticEnergy(m_ball.motion, R));
         m_ball.report.passes(1);
         m_ball.event(PHYS_EVENT_IMPACT, face, glm::dot(before.velocity, face.normal),
                      glm::dot(m_ball.motion.velocity, face.normal));

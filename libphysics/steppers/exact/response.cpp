@@ -65,12 +65,9 @@ double rateOf(const Exchange &exchange, const MovingBall &ball, const Touching &
 }
 
 void takeJammed(const Moment &jammed, const Touching &touching, MovingBall &ball, Response &response) {
-    const double R = ball.radius();
-    const auto energy = [R](const Vec3 &v, const Vec3 &spin) {
-        return 0.5 * glm::dot(v, v) + 0.2 * R * R * glm::dot(spin, spin);
-    };
-    ball.report.lostSlip(energy(ball.motion.velocity, ball.motion.spin) - energy(jammed.velocity, jammed.spin));
+    const Motion before = ball.motion;
     ball.motion = {jammed.velocity, jammed.spin};
+    ball.report.lostSlip(kineticEnergy(before, ball.radius()) - kineticEnergy(ball.motion, ball.radius()));
     response = respond(ball.moment(), touching.held(), ball.work);
 }
 
