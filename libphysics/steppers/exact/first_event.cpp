@@ -42,19 +42,11 @@ End ownEnd(const Uniform &phase, const Touching &touching, const Response &respo
     return end;
 }
 
-/// Ends a phase when something begins to hold, which is looked for at equal intervals.
+/// Ends a phase when something begins to hold.
 template<class Holds>
 void cutWhen(const Holds &holds, double until, End &end) {
     constexpr int kLooks = 4, kHalvings = 40;
-    for (int i = 1; i <= kLooks; ++i) {
-        double low = until * (i - 1) / kLooks, high = until * i / kLooks;
-        if (!holds(high)) continue;
-        for (int halving = 0; halving < kHalvings; ++halving) {
-            const double middle = 0.5 * (low + high);
-            (holds(middle) ? high : low) = middle;
-        }
-        return end.cut({high, Cause::time, 0});
-    }
+    end.cut({firstHolding(holds, until, kLooks, kHalvings), Cause::time, 0});
 }
 
 /// The ball's motion at a moment of the phase.

@@ -240,16 +240,7 @@ double Series::endOfPrestress(double s, Work &work) const {
         return std::array{holds, a.least < b.least};
     };
     const auto first = look(0.0);
-    for (int i = 1; i <= kLooks; ++i) {
-        double low = s * (i - 1) / kLooks, high = s * i / kLooks;
-        if (look(high) == first) continue;
-        for (int halving = 0; halving < kHalvings; ++halving) {
-            const double middle = 0.5 * (low + high);
-            (look(middle) == first ? low : high) = middle;
-        }
-        return high;
-    }
-    return kNever;
+    return firstHolding([&](double at) { return look(at) != first; }, s, kLooks, kHalvings);
 }
 
 uint32_t Series::opening() const {

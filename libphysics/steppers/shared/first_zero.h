@@ -74,4 +74,20 @@ double firstZero(const Function &look, double from, double until, double zero) {
     return t;
 }
 
+/// When something begins to hold in [0, until], which is looked for at the ends of as many equal intervals and found by
+/// halving one; kNever if it doesn't.
+template<class Holds>
+double firstHolding(const Holds &holds, double until, int looks, int halvings) {
+    for (int i = 1; i <= looks; ++i) {
+        double low = until * (i - 1) / looks, high = until * i / looks;
+        if (!holds(high)) continue;
+        for (int halving = 0; halving < halvings; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (holds(middle) ? high : low) = middle;
+        }
+        return high;
+    }
+    return kNever;
+}
+
 } // namespace phys
