@@ -63,12 +63,7 @@ void turnNormals(const MovingBall &ball, const Response &response, Touching &tou
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Contact &contact = touching.contactOf(i);
         if (contact.isFace() || !isClosed(response, i)) continue;
-        const phys_box &box = ball.scene().boxes[contact.box];
-        Vec3 away(0.0);
-        for (int axis = 0; axis < 3; ++axis) {
-            if (contact.sides[axis] != 0) away[axis] = ball.position[axis] - planeOf(box, axis, contact.sides[axis]);
-        }
-        touching.held(i).normal = hat(away);
+        touching.held(i).normal = hat(contact.across(ball.position - contact.point));
     }
 }
 
@@ -105,12 +100,10 @@ void keepEdges(const Touching &touching, const Response &response, MovingBall &b
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Contact &contact = touching.contactOf(i);
         if (!isClosed(response, i) || contact.isFace()) continue;
-        const phys_box &box = ball.scene().boxes[contact.box];
         const Vec3 &n = touching.held(i).normal;
         for (int axis = 0; axis < 3; ++axis) {
-            const int side = contact.sides[axis];
-            if (side == 0) continue;
-            sum[axis] += planeOf(box, axis, side) + ball.radius() * n[axis];
+            if (contact.sides[axis] == 0) continue;
+            sum[axis] += contact.point[axis] + ball.radius() * n[axis];
             count[axis] += 1.0;
         }
     }

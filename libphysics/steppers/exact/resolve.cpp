@@ -171,9 +171,7 @@ void holdFaces(MovingBall &ball, Touching &touching) {
     const bool moves = ball.motion.velocity != Vec3(0.0);
     for (uint32_t i = 0; i < touching.contacts.count(); ++i) {
         touching.hold(i, ball.params());
-        for (int axis = 0; axis < 3 && moves; ++axis) {
-            if (touching.contacts[i].sides[axis] != 0) ball.motion.velocity[axis] = 0.0;
-        }
+        if (moves) ball.motion.velocity[axisOf(touching.contacts[i])] = 0.0;
     }
     ball.report.lostSlip(roll(touching, ball));
 }

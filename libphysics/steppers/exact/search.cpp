@@ -4,12 +4,8 @@
 namespace phys {
 
 bool Outlook::isBehind(const Contact &face, const phys_box &other) const {
-    const phys_box &own = box(face.box);
-    for (int axis = 0; axis < 3; ++axis) {
-        const int sign = face.sides[axis];
-        if (sign != 0) return sign * (planeOf(other, axis, sign) - planeOf(own, axis, sign)) <= scene.tolerance;
-    }
-    return false;
+    const int axis = axisOf(face), sign = face.sides[axis];
+    return sign * (planeOf(other, axis, sign) - planeOf(box(face.box), axis, sign)) <= scene.tolerance;
 }
 
 bool Outlook::isBehindTouchedFace(const phys_box &other) const {
@@ -34,9 +30,8 @@ bool Outlook::isKept(uint32_t number, const phys_box &other) const {
     for (uint32_t i = 0; i < contacts.count(); ++i) {
         const Contact &contact = contacts[i];
         if (contact.box == number && contact.isFace() && isBarred(axisOf(contact))) return true;
-        if (!(lasting >> i & 1U)) continue;
-        if (contact.box == number) return true;
-        if (contact.isFace() && isBehind(contact, other)) return true;
+        const bool isAtIt = contact.box == number || (contact.isFace() && isBehind(contact, other));
+        if ((lasting >> i & 1U) && isAtIt) return true;
     }
     return false;
 }

@@ -28,6 +28,9 @@ inline double planeOf(const phys_box &box, int axis, int sign) {
 /// Of a face's normal.
 inline int axisOf(const Contact &face) { return face.sides[0] != 0 ? 0 : face.sides[1] != 0 ? 1 : 2; }
 
+/// Whether a normal is that of a face.
+inline bool isOfFace(const Vec3 &n) { return std::abs(n.x) == 1.0 || std::abs(n.y) == 1.0 || std::abs(n.z) == 1.0; }
+
 /// The start of a phase, and what lasts during it.
 struct Outlook {
     const Scene &scene;
@@ -77,9 +80,8 @@ struct Target {
     /// model.md 5.4.
     bool grazes(double gap, double approach, const Vec3 &n, const Vec3 &velocity) const {
         if (approach >= 0.0 || gap > tolerance || gap < -tolerance) return false;
-        const bool isFace = std::abs(n.x) == 1.0 || std::abs(n.y) == 1.0 || std::abs(n.z) == 1.0;
         const Vec3 across(n.x != 0.0 ? velocity.x : 0.0, n.y != 0.0 ? velocity.y : 0.0, n.z != 0.0 ? velocity.z : 0.0);
-        return !isFace && approach >= -slight * glm::length(across); // along an edge it passes nothing
+        return !isOfFace(n) && approach >= -slight * glm::length(across); // along an edge it passes nothing
     }
 };
 
@@ -170,14 +172,14 @@ public:
     double settled(double t) const {
         Vec3 normal;
         const double start = fewDigits(t), s = start + stepFrom(start, normal);
-        return isFace(normal) && std::abs(s - t) <= 0x1p-40 * t ? s : t;
+        return isOfFace(normal) && std::abs(s - t) <= 0x1p-40 * t ? s : t;
     }
 
 private:
     /// Whether the nearest feature of the box is a face that may be met from now on.
     bool isAhead() const {
         const bool isPressed = m_target.isTouched && m_rate <= negligibleSpeed(m_around.motion, m_around.scene.radius);
-        return isFace(m_normal) && m_gap >= 0.0 && !isPressed;
+        return isOfFace(m_normal) && m_gap >= 0.0 && !isPressed;
     }
 
     /// Whether the ball certainly doesn't come to the plane.
@@ -213,8 +215,6 @@ private:
         m_target.gap(m_phase.at(t).way, m_around.scene.radius, normal);
         return normal == m_normal ? t : kNever;
     }
-
-    static bool isFace(const Vec3 &n) { return std::abs(n.x) == 1.0 || std::abs(n.y) == 1.0 || std::abs(n.z) == 1.0; }
 
     /// From t towards the zero at the nearest feature; NaN if the ball doesn't approach it then.
     double stepFrom(double t, Vec3 &n) const {

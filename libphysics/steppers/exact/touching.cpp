@@ -109,9 +109,7 @@ void project(const Touching &touching, uint32_t among, MovingBall &ball) {
             isAlong = true;
         }
         if (touching.contactOf(i).isFace()) {
-            for (int axis = 0; axis < 3; ++axis) {
-                if (n[axis] != 0.0) v[axis] = 0.0;
-            }
+            v[axisOf(touching.contactOf(i))] = 0.0;
         } else if (!isAlong) {
             v -= glm::dot(v, n) * n;
         }
