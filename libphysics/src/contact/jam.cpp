@@ -113,12 +113,6 @@ bool ends(const Jam &jam) {
     return false;
 }
 
-double sumOfPressures(const Jam &jam) {
-    double sum = 0.0;
-    for (const Reaction &reaction : jam.c.list()) sum += reaction.pressure;
-    return sum;
-}
-
 /// A moment at which slips end, in a frame that is the same for all symmetric images.
 class Jammed {
 public:
@@ -142,8 +136,8 @@ public:
         do {
             const std::array<Reaction, kMostHeld> begun = m_jam.c.reactions;
             if (ends(m_jam) && settle(m_jam) && fits(m_jam) &&
-                sumOfPressures(m_jam) < least - kMostMore * speedScale(m_before)) {
-                least = sumOfPressures(m_jam);
+                sumOfPressures(m_jam.c.list()) < least - kMostMore * speedScale(m_before)) {
+                least = sumOfPressures(m_jam.c.list());
                 best = m_jam.after;
             }
             m_jam.c.reactions = begun;

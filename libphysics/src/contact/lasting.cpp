@@ -324,24 +324,23 @@ void LastingContacts::unload() {
 /// kept. A slip that reverses within the substep can have no friction of order 2, neither that of a slip nor that of
 /// sticking: then its end alone determines the direction. If nothing helps, friction is dropped.
 void LastingContacts::settleWithoutResistance(double negligible, const Motion &driven, Motion &motion) {
-    if (shareLoads()) {
-        if (settleTogether(0.0, negligible, kUsuallyTogether, motion)) return;
+    const auto startAnew = [&] {
         unload();
         motion = driven;
+    };
+    if (shareLoads()) {
+        if (settleTogether(0.0, negligible, kUsuallyTogether, motion)) return;
+        startAnew();
     }
     if (settle(0.0, negligible, true, motion)) return;
-    unload();
-    motion = driven;
+    startAnew();
     if (settleTogether(0.0, negligible, kMostTogether, motion)) return;
-    unload();
-    motion = driven;
+    startAnew();
     if (settle(0.0, negligible, false, motion)) return;
-    unload();
-    motion = driven;
+    startAnew();
     for (Lasting &contact : *this) contact.slipBefore = Vec3(0.0);
     if (settle(0.0, negligible, true, motion)) return;
-    unload();
-    motion = driven;
+    startAnew();
     for (Lasting &contact : *this) contact.friction = 0.0;
     if (!settleTogether(0.0, negligible, kUsuallyTogether, motion)) settle(0.0, negligible, true, motion);
 }
