@@ -133,6 +133,8 @@ void Series::addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations
 bool Series::isIdleBesideOther(const Contact &contact) const {
     if (contact.mode != Mode::smooth && contact.mode != Mode::slipping) return false;
     return std::any_of(contacts().begin(), contacts().end(), [&](const Contact &other) {
+        const bool presses = contact.N[0] > 0.0, otherPresses = other.N[0] > 0.0;
+        if (contact.n[0] == -other.n[0] && presses != otherPresses) return otherPresses;
         return isIdleBeside(contact.n[0], other.n[0], m_moment.gravity,
                             &contact < &other || other.mode == Mode::sticking);
     });
