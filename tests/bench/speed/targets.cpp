@@ -130,8 +130,8 @@ void printTargets(const std::vector<Series> &all) {
     const auto small = [](const Series *series) { return series->secondsPerSimulated.front(); };
     cheap &&chipmunk ? printTarget(share, 0.2, ratios(small(cheap), small(chipmunk))) : printMissing(share);
     cheap ? printTarget(growth, 1.2, ratios(cheap->secondsPerSimulated.back(), small(cheap))) : printMissing(growth);
-    exact &&chipmunk ? printTarget(exactShare, 1, ratios(small(exact), small(chipmunk))) : printMissing(exactShare);
-    leaping ? printTarget(leap, 3, microseconds(small(leaping))) : printMissing(leap);
+    exact &&chipmunk ? printTarget(exactShare, 0.6, ratios(small(exact), small(chipmunk))) : printMissing(exactShare);
+    leaping ? printTarget(leap, 2, microseconds(small(leaping))) : printMissing(leap);
     cheap &&chipmunk ? printTarget(creation, 0.25, ratios(cheap->creation, chipmunk->creation))
                      : printMissing(creation);
 }
