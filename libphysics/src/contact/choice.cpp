@@ -3,6 +3,7 @@
 
 #include "contact/held.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace phys {
@@ -59,6 +60,42 @@ Held heldOf(const Substep &substep, const Contact &contact) {
     return held;
 }
 
+/// The contacts among which modes are chosen.
+struct Part {
+    std::array<Held, kMostHeld> held;
+    std::array<uint32_t, kMostHeld> number; ///< of `contacts`
+    uint32_t count = 0;
+    bool isFull = false; ///< there are more
+
+    /// Those that the ball leaves at no more than most(contact), m/s.
+    template<class Most>
+    Part(const Substep &substep, const Contacts &contacts, Most most) {
+        const Moment &moment = substep.moment;
+        const double negligible = negligibleSpeed({moment.velocity, moment.spin}, moment.radius);
+        for (uint32_t i = 0; i < contacts.count(); ++i) {
+            if (glm::dot(moment.velocity, contacts[i].normal) > std::max(most(contacts[i]), negligible)) continue;
+            if (isFull = count == kMostHeld; isFull) return;
+            number[count] = i;
+            held[count++] = heldOf(substep, contacts[i]);
+        }
+    }
+    std::span<const Held> list() const { return {held.data(), count}; }
+    bool has(uint32_t contact) const {
+        return std::find(number.begin(), number.begin() + count, contact) != number.begin() + count;
+    }
+};
+
+/// Whether the ball doesn't come back within the substep to the contacts of `all` that `some` lacks.
+bool staysOff(const Substep &substep, const Contacts &contacts, const Part &all, const Part &some,
+              const Vec3 &acceleration) {
+    const Moment &moment = substep.moment;
+    return std::all_of(all.number.begin(), all.number.begin() + all.count, [&](uint32_t i) {
+        const Vec3 velocity = moment.velocity + substep.h * acceleration;
+        const double turning = substep.h * contacts[i].curving(moment.velocity, moment.radius);
+        return some.has(i) || glm::dot(contacts[i].normal, velocity) + turning >= 0.0;
+    });
+}
+
 /// What rolling resistance adds to the spin, rad/s: that which the forces don't.
 Vec3 resistanceIn(const Response &response, std::span<const Held> held, double radius) {
     Vec3 resisting = response.spinAcceleration;
@@ -77,34 +114,36 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
     Moment stopped = moment;
     stopped.settled = kSettled;
     if (rollingFriction > 0.0 && mayStop(substep)) stopped.spin.x = stopped.spin.y = 0.0;
-    std::array<Held, kMostHeld> held;
-    std::array<uint32_t, kMostHeld> number;
-    uint32_t count = 0;
-    const double negligible = negligibleSpeed({moment.velocity, moment.spin}, moment.radius);
-    for (uint32_t i = 0; i < contacts.count(); ++i) {
-        if (glm::dot(moment.velocity, contacts[i].normal) > std::max(contacts[i].restSpeed, negligible)) continue;
-        if (count == kMostHeld) return;
-        number[count] = i;
-        held[count++] = heldOf(substep, contacts[i]);
-    }
-    if (count >= kMany) stopped.mostPressing = kFewest;
-    const std::span<const Held> list(held.data(), count);
+    Part part(substep, contacts, [](const Contact &contact) { return contact.restSpeed; });
+    if (part.isFull) return;
     Work own(kMostChoice);
-    const Response response = respond(stopped, list, own);
+    const auto respondTo = [&](const Part &among) {
+        stopped.mostPressing = among.count >= kMany ? kFewest : Moment{}.mostPressing;
+        return respond(stopped, among.list(), own);
+    };
+    // One that the ball leaves slowly takes part only if the others let it come back.
+    const Part staying(substep, contacts, [](const Contact &) { return 0.0; });
+    Response response;
+    response.isFound = false;
+    if (staying.count < part.count) response = respondTo(staying);
+    if (response.isFound && staysOff(substep, contacts, part, staying, response.acceleration))
+        part = staying;
+    else
+        response = respondTo(part);
     work.add(own.done() / kCounted);
     if (!response.isFound || own.isTooMuch()) return;
-    const Vec3 resisting = h * resistanceIn(response, list, moment.radius);
-    for (uint32_t i = 0; i < count; ++i) {
+    const Vec3 resisting = h * resistanceIn(response, part.list(), moment.radius);
+    for (uint32_t i = 0; i < part.count; ++i) {
         const Reaction &reaction = response.reactions[i];
-        Lasting &contact = lasting[number[i]];
+        Lasting &contact = lasting[part.number[i]];
         contact.isIdle = contact.isGlued && reaction.mode == Mode::open;
         // Pressure of rounding size might grow by the friction of a very rough contact opposite to another.
         if (reaction.pressure <= response.noise) continue;
         contact.reaction = h * reaction.pressure;
-        contact.rubbing = h * tangential(reaction.force, held[i].normal);
+        contact.rubbing = h * tangential(reaction.force, part.held[i].normal);
         contact.isSpent = reaction.mode == Mode::slipping || reaction.mode == Mode::starting;
         contact.rolls = contact.isTop && reaction.mode == Mode::sticking;
-        if (contact.rolls && rollingFriction > 0.0) contact.resisting = tangential(resisting, held[i].normal);
+        if (contact.rolls && rollingFriction > 0.0) contact.resisting = tangential(resisting, part.held[i].normal);
     }
     lasting.setChosen();
 }

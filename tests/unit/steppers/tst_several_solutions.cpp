@@ -282,6 +282,8 @@ private slots:
     void aSlipThatPressesIntoAWedgeEndsWithoutAJam();
     void aRoughEdgeThatTheBallLeavesTakesNoSpeed_data() { addStepperRows(); }
     void aRoughEdgeThatTheBallLeavesTakesNoSpeed();
+    void aFloorThatTheBallLeavesSlowlyHoldsItNoMore_data() { addStepperRows(); }
+    void aFloorThatTheBallLeavesSlowlyHoldsItNoMore();
     void aBallRollsOffWhereFourContactsCouldHoldIt_data() { addStepperRows(); }
     void aBallRollsOffWhereFourContactsCouldHoldIt();
     void randomStartsAccelerateAsInExact_data() { addStepperRows(); }
@@ -492,6 +494,26 @@ void TestSeveralSolutions::aRoughEdgeThatTheBallLeavesTakesNoSpeed() {
     start.wall = 1e6;
     const double off = distance(accelerationsOf(stepper, start), {0.0, 0.0, start.gravity.z, 0.0, 0.0, 0.0});
     QVERIFY2(off < 1e-3, qPrintable(QStringLiteral("off by %1 m/s^2").arg(off)));
+}
+
+/// It rises between a wall and a low corner, which carry it together.
+void TestSeveralSolutions::aFloorThatTheBallLeavesSlowlyHoldsItNoMore() {
+    QFETCH(QByteArray, stepper);
+    Start start;
+    start.radius = 0.006;
+    start.boxes = {{{-0.018, -0.018, -0.012}, {0.018, 0.018, -0.006}},
+                   {{-0.012, 1.3314660572909372e-11, -0.018}, {-0.006, 0.0060000000133146611, 0.018}},
+                   {{0.0050568452282908983, -0.0066206708359956793, -0.0091690825250308663},
+                    {0.011056845228290899, -0.00062067083599567918, -0.0031690825250308657}}};
+    start.gravity = {6.4844983061688488, -7.240054142970263, -13.692495493728144};
+    start.floor = 0.31360757324348804;
+    start.wall = 0.91799070058584709;
+    start.rolling = 0;
+    Experiment ball = ballOf(stepper, start);
+    constexpr int kSteps = 20;
+    QVERIFY2(ball.stepTimes(kSteps, 0.02 / kSteps), ball.error());
+    const double off = ball.state.position.y / start.radius + 0.025074849; // of exact
+    QVERIFY2(std::abs(off) < 0.002, qPrintable(QStringLiteral("off by %1 R").arg(off)));
 }
 
 /// Two press less than all four, also once their normals have turned within a step.
