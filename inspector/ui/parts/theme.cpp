@@ -82,10 +82,10 @@ public:
             box.palette.setColor(QPalette::Base, box.palette.color(QPalette::Light));
             return QProxyStyle::drawPrimitive(element, &box, painter, widget);
         }
+        if (element == PE_FrameFocusRect) return frame(*option, option->rect, *painter);
         QProxyStyle::drawPrimitive(element, option, painter, widget);
         const bool isPanel = element == PE_PanelButtonCommand && option->state.testFlag(State_HasFocus);
         if (isPanel) frame(*option, option->rect.adjusted(1, 1, -1, -1), *painter); // inside its border
-        if (element == PE_FrameFocusRect) frame(*option, option->rect, *painter);
     }
 
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex *option, QPainter *painter,

@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include <QStyleOptionFocusRect>
+
 namespace inspector::ui {
 
 namespace {
@@ -66,6 +68,7 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     , m_text(new ReadOutText(this)) {
     setMinimumSize(160, 80);
     setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     setNoAntialiasingOnDrag(true);
     setLocale(QLocale::c());
@@ -353,9 +356,68 @@ void TimePlot::wheelEvent(QWheelEvent *event) {
     if (orientation == Qt::Vertical) m_fitsValues = false;
     axisRect()->setRangeZoom(orientation);
     QCustomPlot::wheelEvent(event);
-    xAxis->setRange(m_time->range()); // which is limited
-    if (orientation == Qt::Horizontal && isFollowing() && !isPaused()) m_time->followAtThisZoom();
+    if (orientation == Qt::Horizontal) return endZoom();
     yAxis->setRange(bounded(*yAxis));
+}
+
+void TimePlot::endZoom() {
+    xAxis->setRange(m_time->range()); // which is limited
+    if (isFollowing() && !isPaused()) m_time->followAtThisZoom();
+}
+
+void TimePlot::keyPressEvent(QKeyEvent *event) {
+    constexpr double kNearer = 0.8;
+    constexpr double kPage = 0.5; // of the times shown
+    const bool isOfValues = event->modifiers().testFlag(Qt::ControlModifier);
+    const auto zoom = isOfValues ? &TimePlot::zoomValues : &TimePlot::zoomTime;
+    switch (event->key()) {
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: // the same key, without Shift
+        return (this->*zoom)(kNearer);
+    case Qt::Key_Minus:
+        return (this->*zoom)(1.0 / kNearer);
+    case Qt::Key_PageUp:
+        return moveTime(-kPage);
+    case Qt::Key_PageDown:
+        return moveTime(kPage);
+    case Qt::Key_0:
+        return setFollowing(true);
+    default:
+        QCustomPlot::keyPressEvent(event);
+    }
+}
+
+/// While it follows, the newest values stay at the right border, and before they reach it the first ones at the left.
+void TimePlot::zoomTime(double factor) {
+    const QCPRange times = xAxis->range();
+    const double followed = newestTime().value_or(0.0) < times.upper ? times.lower : times.upper;
+    xAxis->scaleRange(factor, isFollowing() ? followed : times.center());
+    endZoom();
+    m_isStale = true;
+}
+
+void TimePlot::zoomValues(double factor) {
+    yAxis->scaleRange(factor);
+    yAxis->setRange(bounded(*yAxis));
+    m_fitsValues = false;
+    m_isStale = true;
+}
+
+void TimePlot::moveTime(double share) {
+    m_time->setFollowing(false);
+    xAxis->moveRange(share * xAxis->range().size());
+    xAxis->setRange(m_time->range());
+    m_isStale = true;
+}
+
+/// Frames the plot that has the keyboard.
+void TimePlot::paintEvent(QPaintEvent *event) {
+    QCustomPlot::paintEvent(event);
+    if (!hasFocus()) return;
+    QStyleOptionFocusRect option;
+    option.initFrom(this);
+    QPainter painter(this);
+    style()->drawPrimitive(QStyle::PE_FrameFocusRect, &option, &painter, this);
 }
 
 void TimePlot::leaveEvent(QEvent *event) {

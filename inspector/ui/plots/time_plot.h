@@ -27,7 +27,8 @@ struct RunContext {
 /// Channels of a sample ring over time; loads only what is visible. Subclasses define which channels are shown and how.
 /// While the plot follows, the newest sample is at the right border and the values fill the height. The wheel zooms in
 /// time and a drag pans; over the value axis (or with Ctrl) both act on values; a double click follows again. Values
-/// under the cursor are shown above the curves.
+/// under the cursor are shown above the curves. With the keyboard, + and - zoom, with Ctrl the values, PageUp and
+/// PageDown move, and 0 follows again.
 class TimePlot : public QCustomPlot {
     Q_OBJECT
 
@@ -94,6 +95,8 @@ protected:
     void mouseReleaseEvent(QMouseEvent *event) override;
     void mouseDoubleClickEvent(QMouseEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
     void leaveEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
@@ -103,6 +106,10 @@ private:
     void leaveOutLegend();
     void fitLabels();
     void layOutLegend(); ///< in one line, with the read-out if there is room
+    void zoomTime(double factor);
+    void zoomValues(double factor);
+    void endZoom();              ///< of the time
+    void moveTime(double share); ///< by this share of the times shown
     void takeColours();
     std::optional<double> newestTime() const;
     QCPRange shownTimes() const; ///< may be empty: then the end precedes the beginning

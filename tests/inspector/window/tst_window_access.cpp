@@ -38,6 +38,7 @@ private slots:
     void restOfTheToolbarIsSeen_data();
     void restOfTheToolbarIsSeen();
     void listsShowNamesAndValuesWhole();
+    void keysZoomAndMoveAPlot();
     void keyboardLeavesADockThatGoesBehindAnother();
 
 private:
@@ -140,7 +141,8 @@ void TestWindowAccess::valueAxisIsWhole() {
 void TestWindowAccess::whatHasTheKeyboardIsSeen_data() {
     QTest::addColumn<Theme>("theme");
     QTest::addColumn<QByteArray>("kind");
-    for (const char *kind : {"QToolButton", "QPushButton", "QCheckBox", "QComboBox", "QLineEdit", "QSlider"}) {
+    for (const char *kind :
+         {"QToolButton", "QPushButton", "QCheckBox", "QComboBox", "QLineEdit", "QSlider", "QCustomPlot"}) {
         QTest::addRow("%s, light", kind) << Theme::Light << QByteArray(kind);
         QTest::addRow("%s, dark", kind) << Theme::Dark << QByteArray(kind);
     }
@@ -203,6 +205,32 @@ void TestWindowAccess::listsShowNamesAndValuesWhole() {
                 QVERIFY2(list->fontMetrics().horizontalAdvance(text) < list->columnWidth(column), qPrintable(text));
             }
     }
+}
+
+void TestWindowAccess::keysZoomAndMoveAPlot() {
+    auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
+    m_fixture->makeSteps(1);
+    m_fixture->window().refresh();
+    for (int i = 0; i < 100 && !plot->hasFocus(); ++i) m_fixture->key(Qt::Key_Tab);
+    QVERIFY(plot->hasFocus());
+    const QCPRange times = plot->xAxis->range();
+    const QCPRange values = plot->yAxis->range();
+    m_fixture->key(Qt::Key_Plus);
+    QCOMPARE(plot->xAxis->range(), QCPRange(0.0, 0.8 * times.size()));
+    m_fixture->key(Qt::Key_Minus);
+    QCOMPARE(plot->xAxis->range().size(), times.size());
+    m_fixture->key(Qt::Key_PageDown);
+    QCOMPARE(plot->xAxis->range().lower, times.lower + 0.5 * times.size());
+    m_fixture->key(Qt::Key_PageUp);
+    QCOMPARE(plot->xAxis->range().lower, times.lower);
+    QCOMPARE(plot->yAxis->range(), values);
+    m_fixture->key(Qt::Key_Plus, Qt::ControlModifier);
+    const QCPRange zoomed = plot->yAxis->range();
+    QCOMPARE(zoomed.size(), 0.8 * values.size());
+    QVERIFY(!m_fixture->find<QToolButton>("plot_follow")->isChecked());
+    m_fixture->key(Qt::Key_0);
+    QVERIFY(m_fixture->find<QToolButton>("plot_follow")->isChecked());
+    QTRY_VERIFY(plot->yAxis->range() != zoomed); // fitted again
 }
 
 void TestWindowAccess::keyboardLeavesADockThatGoesBehindAnother() {
