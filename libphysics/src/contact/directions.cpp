@@ -2,7 +2,6 @@
 // Directions that depend on the forces they determine: model.md 14.1.
 #include "contact/combination.h"
 
-#include <bit>
 #include <cmath>
 
 namespace phys {
@@ -94,8 +93,12 @@ private:
 
 /// The contacts whose directions are unknown. `rolls`: the contact at which a ball starts to roll against resistance.
 struct Sought {
-    uint32_t starting = 0; ///< bits
+    std::array<uint32_t, kMostHeld> contacts;
+    uint32_t count = 0;
     uint32_t rolls = kMostHeld;
+
+    std::span<const uint32_t> starting() const { return {contacts.data(), count}; }
+    bool isNone() const { return count == 0 && rolls == kMostHeld; }
 };
 
 /// Directions, and the sizes of the forces that have them.
@@ -113,8 +116,7 @@ struct Asked {
 /// The directions that follow from the forces under the present ones.
 Asked askedFor(const Combination &c, const Sought &sought) {
     Asked asked;
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        if (!(sought.starting >> i & 1U)) continue;
+    for (const uint32_t i : sought.starting()) {
         const Reaction &reaction = c.reactions[i];
         const Vec3 rate = tangential(slipRate(c, i), c.held[i].normal);
         const Vec3 force = c.held[i].friction * reaction.pressure * reaction.direction + rate / kSlipPerFriction;
@@ -132,18 +134,15 @@ Asked askedFor(const Combination &c, const Sought &sought) {
 
 Aims aimsOf(const Combination &c, const Sought &sought) {
     Aims aims;
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        if (sought.starting >> i & 1U) aims.add(c.reactions[i].direction);
-    }
+    for (const uint32_t i : sought.starting()) aims.add(c.reactions[i].direction);
     if (sought.rolls != kMostHeld) aims.add(c.rolling);
     return aims;
 }
 
 void aim(Combination &c, const Sought &sought, const Aims &aims) {
     uint32_t next = 0;
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        if (sought.starting >> i & 1U) c.reactions[i].direction = hat(tangential(aims[next++], c.held[i].normal));
-    }
+    for (const uint32_t i : sought.starting())
+        c.reactions[i].direction = hat(tangential(aims[next++], c.held[i].normal));
     if (sought.rolls != kMostHeld) c.rolling = aims.last() / std::max(1.0, glm::length(aims.last()));
 }
 
@@ -163,8 +162,7 @@ bool areSettled(const Combination &c, const Sought &sought, const Aims &aims, co
         return glm::length(asked.aims[aim] - aims[aim]) <= within;
     };
     uint32_t next = 0;
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        if (!(sought.starting >> i & 1U)) continue;
+    for (const uint32_t i : sought.starting()) {
         if (!isSettled(next++, c.held[i].friction * c.reactions[i].pressure)) return false;
     }
     if (sought.rolls == kMostHeld) return true;
@@ -174,8 +172,7 @@ bool areSettled(const Combination &c, const Sought &sought, const Aims &aims, co
 /// Whether friction asks for less than it has at a contact that should start.
 bool wouldStick(const Combination &c, const Sought &sought, const Asked &asked) {
     uint32_t next = 0;
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        if (!(sought.starting >> i & 1U)) continue;
+    for (const uint32_t i : sought.starting()) {
         if (asked.sizes[next++] < (1.0 - kRoughly) * c.held[i].friction * c.reactions[i].pressure) return true;
     }
     return false;
@@ -184,7 +181,7 @@ bool wouldStick(const Combination &c, const Sought &sought, const Asked &asked) 
 /// Turns the directions until they agree with the accelerations. False if they don't converge.
 bool settleDirections(Combination &c, const Sought &sought) {
     solve(c);
-    if (sought.starting == 0 && sought.rolls == kMostHeld) return true;
+    if (sought.isNone()) return true;
     Mixing mixing;
     int pullingPasses = 0, passesOfMore = 0, hopelessPasses = 0;
     const double zero = kRoughly * accelerationScale(c.moment);
@@ -294,11 +291,10 @@ bool aimStarts(Combination &c, StuckForces &stuckForces) {
 
 /// False unless one slip starts and no contact sticks.
 bool searchStart(Combination &c, const Sought &sought) {
-    if (!std::has_single_bit(sought.starting)) return false;
     for (uint32_t i = 0; i < c.count(); ++i) {
         if (c.sticks(i)) return false;
     }
-    return DirectionSearch(c, static_cast<uint32_t>(std::countr_zero(sought.starting))).find();
+    return sought.count == 1 && DirectionSearch(c, sought.contacts[0]).find();
 }
 
 } // namespace
@@ -307,16 +303,16 @@ bool settle(Combination &c, StuckForces &stuckForces) {
     const double zero = kFits * accelerationScale(c.moment);
     Sought sought;
     for (uint32_t i = 0; i < c.count(); ++i) {
-        if (c.reactions[i].mode == Mode::starting) sought.starting |= 1U << i;
+        if (c.reactions[i].mode == Mode::starting) sought.contacts[sought.count++] = i;
     }
     const uint32_t ground = resisted(c);
     const Vec3 spin = ground < c.count() ? rollingSpin(c.moment, c.held[ground]) : Vec3(0.0);
     const bool rolls = !isNoSlip(c.moment, c.moment.radius * spin);
     if (rolls) c.rolling = hat(spin);
-    if (sought.starting != 0 && !aimStarts(c, stuckForces)) return false;
+    if (sought.count > 0 && !aimStarts(c, stuckForces)) return false;
     if (c.searches) return searchStart(c, sought);
     bool isSettled = settleDirections(c, sought);
-    if (sought.starting == 0) stuckForces.keep(c);
+    if (sought.count == 0) stuckForces.keep(c);
     if (ground == c.count() || rolls) return isSettled;
     // Resistance on a ball that starts to roll: opposite to the resulting motion, or the share of the largest possible
     // one that holds the ball, model.md 14.1.
