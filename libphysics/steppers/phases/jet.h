@@ -63,6 +63,17 @@ inline Vec3 termOf(const Jet &a, const VecJet &b, int k) {
     return sum;
 }
 
+inline Jet product(const Jet &a, const Jet &b) {
+    Jet all;
+    for (int k = 0; k <= kOrder; ++k) all[k] = termOf(a, b, k);
+    return all;
+}
+inline Jet dot(const VecJet &a, const VecJet &b) {
+    Jet all;
+    for (int k = 0; k <= kOrder; ++k) all[k] = dotTerm(a, b, k);
+    return all;
+}
+
 /// Term k of 1/f; inverse: its terms below.
 inline double reciprocalTerm(const Jet &f, const Jet &inverse, int k) {
     if (k == 0) return 1.0 / f[0];

@@ -20,18 +20,6 @@ bool falls(const Jet &f, double zero, double end) {
     return f.at(std::min(s, end)) < -zero;
 }
 
-Jet product(const Jet &a, const Jet &b) {
-    Jet all;
-    for (int k = 0; k <= kOrder; ++k) all[k] = termOf(a, b, k);
-    return all;
-}
-
-Jet dot(const VecJet &a, const VecJet &b) {
-    Jet all;
-    for (int k = 0; k <= kOrder; ++k) all[k] = dotTerm(a, b, k);
-    return all;
-}
-
 /// constant + factor * a + b
 Jet sum(double constant, double factor, const Jet &a, const Jet &b = {}) {
     Jet all;

@@ -219,9 +219,7 @@ double Series::placeOf(double t) const {
 /// Integral over the time until s, in units.
 double Series::integral(const Jet &rate, double s) const {
     if (!m_countsSlips) return unit() * rate.integralAt(s);
-    Jet paced;
-    for (int k = 0; k <= kOrder; ++k) paced[k] = termOf(m_pace, rate, k);
-    return unit() * paced.integralAt(s);
+    return unit() * product(m_pace, rate).integralAt(s);
 }
 
 /// Term k of hat(om_t); for a ball that starts from rest, of om_t divided by the time.
@@ -418,9 +416,7 @@ std::array<double, kMostHeld> Series::pressures(double t) const {
 
 Jet Series::slipSpeed(const Contact &contact) const {
     if (contact.mode == Mode::slipping && contact.partner == kMostHeld) return contact.speed;
-    Jet speed;
-    for (int k = 0; k <= kOrder; ++k) speed[k] = dotTerm(contact.u, contact.d, k);
-    return speed;
+    return dot(contact.u, contact.d);
 }
 
 bool Series::startsToSlip(const Contact &contact) const {
@@ -493,8 +489,8 @@ Losses Series::losses(double t) const {
     }
     if (m_rolls < m_count) {
         const Contact &contact = m_contacts[m_rolls];
-        Jet turning, power;
-        for (int k = 0; k <= kOrder; ++k) turning[k] = dotTerm(m_om, m_rolling, k);
+        const Jet turning = dot(m_om, m_rolling);
+        Jet power;
         for (int k = 0; k <= kOrder; ++k) {
             power[k] = contact.held.resistance * m_moment.radius * termOf(contact.N, turning, k);
         }

@@ -237,7 +237,7 @@ bool Series::buildTurning(const Moment &moment, std::span<const Held> held, cons
     if (!follow(after, 0.0, kTurn, kNearly, rounding, work)) return false;
     for (uint32_t i = 0; i < m_turned.count; ++i) {
         Contact &contact = m_contacts[m_turned.contacts[i]];
-        for (int k = 0; k <= kOrder; ++k) contact.speed[k] = dotTerm(contact.u, contact.d, k);
+        contact.speed = dot(contact.u, contact.d);
     }
     return true;
 }

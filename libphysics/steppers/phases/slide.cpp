@@ -112,8 +112,7 @@ End Slide::end(double until, Work &work) const {
 }
 
 Losses Slide::losses(double t) const {
-    Jet squares; // of the slip's speed: |u| dt = |u|^2 dxi
-    for (int k = 0; k <= kOrder; ++k) squares[k] = termOf(m_speed, m_speed, k);
+    const Jet squares = product(m_speed, m_speed); // of the slip's speed: |u| dt = |u|^2 dxi
     return {m_limitOfFriction * squares.integralAt(xiAt(t)) * unit(), 0.0};
 }
 
