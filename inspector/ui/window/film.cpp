@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace inspector::ui {
 
@@ -107,6 +108,8 @@ Film::Film(Session &session, gl::MazeView &view, const FilmPlan &plan, int scale
     connect(&m_look, &QTimer::timeout, this, &Film::goOn);
 }
 
+Film::~Film() { removeUnfinished(); }
+
 bool Film::begin(const QString &path, QString *error) {
     m_path = path;
     if (!makeFolder(path, error)) {
@@ -114,6 +117,7 @@ bool Film::begin(const QString &path, QString *error) {
         deleteLater();
         return false;
     }
+    m_isUnfinished = true;
     m_session.simulation().pause();
     m_session.lookAtTime(m_first);
     m_look.start();
@@ -195,19 +199,21 @@ void Film::useJoined() {
 }
 
 void Film::finish() {
+    m_isUnfinished = false;
     end({});
     emit saved(m_path);
 }
 
-void Film::removePictures() {
+/// The result is kept only if it is complete.
+void Film::removeUnfinished() {
+    if (!std::exchange(m_isUnfinished, false)) return;
     for (int picture = 1; picture <= m_taken; ++picture) QFile::remove(fileOf(picture));
     QDir().rmdir(m_folder.path());
 }
 
-/// Keeps the result only if it is complete.
 void Film::end(const QString &error) {
     m_look.stop();
-    if (m_taken < m_count || !error.isEmpty()) removePictures();
+    removeUnfinished();
     m_progress->deleteLater();
     m_wasPresent ? m_session.returnToPresent() : m_session.lookAtTime(m_last);
     emit finished(error);

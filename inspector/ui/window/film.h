@@ -39,14 +39,15 @@ struct FilmPlan {
 void askForFilm(QWidget &window, const FilmPlan &usual, const std::function<void(const FilmPlan &plan)> &use);
 
 /// Steps through the past of the run shown, which a recording may be, picture by picture, and writes the pictures into
-/// a new folder or encodes them into one file. Shows its progress and can be cancelled, which removes them. Deletes
-/// itself at the end, after returning to the moment that was shown before.
+/// a new folder or encodes them into one file. Shows its progress and can be cancelled, which removes them, as does the
+/// end of the window. Deletes itself at the end, after returning to the moment that was shown before.
 class Film : public QObject {
     Q_OBJECT
 
 public:
     /// All must outlive this object. scale: pixels per pixel of the view.
     Film(Session &session, gl::MazeView &view, const FilmPlan &plan, int scale, QWidget &window);
+    ~Film() override;
 
     /// path: the new folder or the file. Returns false, with one line in `error`, if the folder exists and isn't empty,
     /// or can't be made.
@@ -64,7 +65,7 @@ private:
     bool takePicture(QString *error);
     void joinPictures();
     void useJoined();
-    void removePictures();
+    void removeUnfinished();
     void finish();
     void end(const QString &error);
 
@@ -82,6 +83,7 @@ private:
     QProcess *m_tool = nullptr; ///< while it is encoding
     QProgressDialog *m_progress;
     QTimer m_look; ///< polls whether the requested moment is shown
+    bool m_isUnfinished = false;
     int m_taken = 0;
     int m_count = 0;
 };

@@ -38,6 +38,7 @@ private slots:
     void runWithoutStepsIsOnePictureOfItsStart();
     void presentIsShownAgainAfterwards();
     void cancelledFilmLeavesNothing();
+    void filmOfAWindowThatEndsLeavesNothing();
     void folderThatHoldsSomethingIsRefused();
     void withoutToolThereArePicturesOnly();
     void toolGetsThePicturesAndTheirRate();
@@ -235,6 +236,15 @@ void TestWindowFilm::cancelledFilmLeavesNothing() {
     QTRY_VERIFY(isOver());
     QVERIFY(!QDir(folder).exists());
     QTRY_VERIFY(!m_fixture->session().isInPast());
+}
+
+void TestWindowFilm::filmOfAWindowThatEndsLeavesNothing() {
+    const QTemporaryDir own;
+    const QString folder = own.filePath("film");
+    ask("1", "100", folder);
+    QTRY_VERIFY(!picturesIn(folder).isEmpty());
+    m_fixture.reset();
+    QVERIFY(!QDir(folder).exists());
 }
 
 void TestWindowFilm::folderThatHoldsSomethingIsRefused() {
