@@ -57,8 +57,8 @@ phys_status leave(const MovingBall &ball, uint32_t flags, phys_state &out) {
         return fail(ball.error, PHYS_ERROR_INTERNAL, "the step's result isn't a number");
     }
     if (movesAfterManyHops(ball)) {
-        return fail(ball.error, PHYS_ERROR_EVENT_CAP, "more than %u bounces in one step, after which the ball moves on",
-                    kMostHops);
+        return fail(ball.error, PHYS_ERROR_EVENT_CAP,
+                    "more than %u bounces in one step, after which the ball moves on: take a smaller dt", kMostHops);
     }
     out.position = fromVec(ball.position);
     out.velocity = fromVec(ball.motion.velocity);

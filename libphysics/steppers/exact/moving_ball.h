@@ -61,7 +61,8 @@ struct MovingBall {
     /// Refuses a step whose work limit is exceeded.
     phys_status checkWork() const {
         if (!work.isTooMuch()) return PHYS_OK;
-        return fail(error, PHYS_ERROR_EVENT_CAP, "more to compute than %llu in one step, %.9g s of it still to go",
+        return fail(error, PHYS_ERROR_EVENT_CAP,
+                    "more to compute than %llu in one step, %.9g s of it still to go: take a smaller dt",
                     static_cast<unsigned long long>(Work::kMost), left);
     }
 
