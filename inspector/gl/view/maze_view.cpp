@@ -143,6 +143,18 @@ void MazeView::lookFromAbove() {
     update();
 }
 
+void MazeView::orbit(const QPointF &drag) {
+    m_isCameraMoved = true;
+    m_camera.orbit({drag.x(), m_drawing == Drawing::Flat ? 0.0 : drag.y()});
+    update();
+}
+
+void MazeView::zoom(double steps, const QPointF &place) {
+    m_isCameraMoved = true;
+    m_camera.zoom(steps, toGlm(place));
+    update();
+}
+
 void MazeView::setFollowing(bool isOn) {
     if (isOn == m_isFollowing) return;
     m_isFollowing = isOn;
@@ -205,14 +217,11 @@ void MazeView::mouseMoveEvent(QMouseEvent *event) {
     const double moved = (event->position() - m_pressPosition).manhattanLength();
     m_isDragging = m_isDragging || moved >= QGuiApplication::styleHints()->startDragDistance();
     if (!m_isDragging) return;
-    m_isCameraMoved = true;
-    const glm::dvec2 drag = toGlm(event->position() - m_lastPosition);
+    const QPointF drag = event->position() - m_lastPosition;
     m_lastPosition = event->position();
-    if (event->buttons() & Qt::LeftButton) {
-        m_camera.orbit({drag.x, m_drawing == Drawing::Flat ? 0.0 : drag.y});
-    } else {
-        m_camera.pan(drag);
-    }
+    if (event->buttons() & Qt::LeftButton) return orbit(drag);
+    m_isCameraMoved = true;
+    m_camera.pan(toGlm(drag));
     update();
 }
 
@@ -228,10 +237,8 @@ void MazeView::mouseDoubleClickEvent(QMouseEvent *event) {
 }
 
 void MazeView::wheelEvent(QWheelEvent *event) {
-    m_isCameraMoved = true;
-    m_camera.zoom(event->angleDelta().y() / kWheelUnitsPerStep, toGlm(event->position()));
+    zoom(event->angleDelta().y() / kWheelUnitsPerStep, event->position());
     event->accept();
-    update();
 }
 
 } // namespace inspector::gl

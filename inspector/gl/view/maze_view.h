@@ -56,6 +56,10 @@ public:
     /// Shows everything from the start direction.
     void resetCamera();
     void lookFromAbove();
+    /// As a left drag by so many logical pixels does.
+    void orbit(const QPointF &drag);
+    /// As so many steps of the wheel at a point of this widget do; > 0 zooms in.
+    void zoom(double steps, const QPointF &place);
     /// The camera follows the ball at a shorter distance, until switched off or reset.
     void setFollowing(bool isOn);
     bool isFollowing() const { return m_isFollowing; }

@@ -111,6 +111,7 @@ private:
     void makeMenus();
     void addUndoActions(QMenu &menu);
     void addViewChoices(QMenu &menu);
+    void addCameraMoves(QMenu &menu);
     void addChoice(QMenu &menu, const char *name, const QStringList &texts, int (MainWindow::*chosen)() const,
                    void (MainWindow::*choose)(int));
     void connectSession();

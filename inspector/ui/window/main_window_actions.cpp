@@ -255,6 +255,7 @@ void MainWindow::addViewChoices(QMenu &menu) {
     menu.insertAction(first, action("reset_layout"));
 
     menu.addSeparator();
+    addCameraMoves(*menu.addMenu(tr("Move the camera")));
     addChoice(*menu.addMenu(tr("Quality")), "quality", {tr("What comes in time"), tr("Low"), tr("Medium"), tr("High")},
               &MainWindow::quality, &MainWindow::chooseQuality);
     addChoice(*menu.addMenu(tr("Size of saved pictures")), "picture_scale",
@@ -265,6 +266,34 @@ void MainWindow::addViewChoices(QMenu &menu) {
               &MainWindow::chooseTextSize);
     addChoice(*menu.addMenu(tr("Theme")), "theme", {tr("As the system"), tr("Light"), tr("Dark")}, &MainWindow::theme,
               &MainWindow::chooseTheme);
+}
+
+/// What drags and the wheel do, by keys.
+void MainWindow::addCameraMoves(QMenu &menu) {
+    constexpr double kPixels = 20.0;
+    struct MoveRow {
+        const char *name, *text, *keys;
+        QPointF drag;
+        double zoom;
+    };
+    const MoveRow rows[] = {
+        {"camera_left", QT_TR_NOOP("Camera: turn the board left"), "Alt+Left", {-kPixels, 0.0}, 0.0},
+        {"camera_right", QT_TR_NOOP("Camera: turn the board right"), "Alt+Right", {kPixels, 0.0}, 0.0},
+        {"camera_higher", QT_TR_NOOP("Camera: higher"), "Alt+Up", {0.0, kPixels}, 0.0},
+        {"camera_lower", QT_TR_NOOP("Camera: lower"), "Alt+Down", {0.0, -kPixels}, 0.0},
+        {"camera_nearer", QT_TR_NOOP("Camera: nearer"), "Alt++; Alt+=", {}, 1.0},
+        {"camera_farther", QT_TR_NOOP("Camera: farther"), "Alt+-", {}, -1.0},
+    };
+    for (const MoveRow &row : rows) {
+        QAction *move = menu.addAction(tr(row.text));
+        move->setObjectName(QLatin1String(row.name));
+        move->setShortcuts(QKeySequence::listFromString(QLatin1String(row.keys)));
+        connect(move, &QAction::triggered, this, [this, drag = row.drag, zoom = row.zoom] {
+            m_view->orbit(drag);
+            m_view->zoom(zoom, QRectF(m_view->rect()).center());
+        });
+        addAction(move);
+    }
 }
 
 void MainWindow::addChoice(QMenu &menu, const char *name, const QStringList &texts, int (MainWindow::*chosen)() const,

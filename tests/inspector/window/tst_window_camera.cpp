@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The following camera, the ruler, the minimum size of a ball in the picture, and the exit of a user's own maze.
+// The camera by keys and behind the ball, the ruler, the minimum size of a ball in the picture, and the exit of a
+// user's own maze.
 #include "mesh/mesh_builder.h"
 #include "ui/window/board_picture.h"
 #include "window_fixture.h"
@@ -30,6 +31,8 @@ private slots:
     void plainDragMeasuresNothing();
     void smallBallIsDrawnLargeEnough();
     void ownMazeShowsItsExit();
+    void keysMoveTheCamera_data();
+    void keysMoveTheCamera();
 
 private:
     inspector::gl::MazeView &view() { return m_fixture->window().view(); }
@@ -142,6 +145,27 @@ void TestWindowCamera::ownMazeShowsItsExit() {
     QVERIFY(std::any_of(mesh.vertices.begin(), mesh.vertices.end(), shines));
     for (const inspector::gl::Vertex &vertex : mesh.vertices)
         if (shines(vertex)) QVERIFY(vertex.position.x > 0.03F); // at the open side
+}
+
+void TestWindowCamera::keysMoveTheCamera_data() {
+    QTest::addColumn<int>("key");
+    QTest::addColumn<int>("back");
+    QTest::newRow("right, left") << int(Qt::Key_Right) << int(Qt::Key_Left);
+    QTest::newRow("lower, higher") << int(Qt::Key_Down) << int(Qt::Key_Up);
+    QTest::newRow("nearer, farther") << int(Qt::Key_Plus) << int(Qt::Key_Minus);
+}
+
+void TestWindowCamera::keysMoveTheCamera() {
+    QFETCH(int, key);
+    QFETCH(int, back);
+    const inspector::gl::OrbitCamera &camera = view().camera();
+    const glm::dvec3 start = camera.eye();
+    m_fixture->key(Qt::Key(key), Qt::AltModifier);
+    const double moved = glm::length(camera.eye() - start);
+    QVERIFY(moved > 0.01 * camera.distance());
+    m_fixture->key(Qt::Key(back), Qt::AltModifier);
+    QVERIFY(glm::length(camera.eye() - start) < 1e-9 * moved);
+    QVERIFY(!m_fixture->session().isTiltedByKeys());
 }
 
 QTEST_MAIN(TestWindowCamera)
