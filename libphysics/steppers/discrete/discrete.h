@@ -191,14 +191,18 @@ private:
         visitNear(scene, free.position, scene.radius, [&](const phys_box &box, uint32_t) {
             overlaps = overlaps || squaredDistance(box, free.position) < overlapping * overlapping;
         });
-        // As FloorRun::mayLean.
-        const bool mayLean = !free.supported || m_context.hasRoughWalls() || m_context.rubsOnFloor();
-        return overlaps || (mayLean && leansOnAnother({}, ball, free.velocity));
+        return overlaps || leansOnAnother({}, ball, free.velocity, [&](const phys_box &box) {
+                   // As FloorRun::mayLean.
+                   if (!free.supported || m_context.hasRoughWalls()) return true;
+                   return m_context.rubsOnFloor() && isSlope(box, ball);
+               });
     }
 
     /// Whether the explicit rule, which moves with the old velocity, would miss a contact: the ball is as near to a box
-    /// that isn't among the contacts as it is to one it leans on, and the new velocity leads into it.
-    bool leansOnAnother(const Contacts &contacts, const Ball &ball, const Vec3 &newVelocity) const {
+    /// that isn't among the contacts as it is to one it leans on, and the new velocity leads into it. matters(box):
+    /// whether that box counts.
+    template<class Matters>
+    bool leansOnAnother(const Contacts &contacts, const Ball &ball, const Vec3 &newVelocity, Matters matters) const {
         if constexpr (Scheme::kContactRule != ContactRule::Explicit) return false;
         const Scene &scene = m_context.scene();
         const double overlapping = scene.radius - scene.tolerance;
@@ -208,7 +212,7 @@ private:
         visitNear(scene, there, scene.radius, [&](const phys_box &box, uint32_t number) {
             if (squaredDistance(box, there) >= overlapping * overlapping) return;
             if (squaredDistance(box, ball.position) > leaning * leaning) return;
-            leans = leans || !isAmong(contacts, number);
+            leans = leans || (matters(box) && !isAmong(contacts, number));
         });
         return leans;
     }
@@ -279,7 +283,7 @@ private:
             const uint32_t met = contacts.count();
             if (overlapsAnother(contacts, ball))
                 ways.add(ball.position - before.position);
-            else if (leansOnAnother(contacts, before, ball.velocity))
+            else if (leansOnAnother(contacts, before, ball.velocity, [](const phys_box &) { return true; }))
                 ways.add(m_h * ball.velocity);
             else
                 return;

@@ -42,10 +42,8 @@ bool FloorView::look(const StepContext &context, const Vec3 &start, const Vec3 &
 }
 
 bool FloorView::hasSlopes(const StepContext &context, const Ball &ball) const {
-    return std::any_of(m_near.begin(), m_near.begin() + m_count, [&](uint32_t number) {
-        const phys_box &box = context.scene().boxes[number];
-        return box.min.z > ball.position.z || box.max.z < ball.position.z;
-    });
+    return std::any_of(m_near.begin(), m_near.begin() + m_count,
+                       [&](uint32_t number) { return isSlope(context.scene().boxes[number], ball); });
 }
 
 bool FloorView::addFace(const UprightFace &face, double tolerance) {

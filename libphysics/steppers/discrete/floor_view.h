@@ -17,6 +17,11 @@ struct UprightFace {
     double place;  ///< m: coordinate of the centre along the axis at which the gap is 0
 };
 
+/// Whether a box that is higher than the ball's floor may touch the ball above or below its centre.
+inline bool isSlope(const phys_box &box, const Ball &ball) {
+    return box.min.z > ball.position.z || box.max.z < ball.position.z;
+}
+
 /// The boxes near a ball on a floor, looked up once per substep.
 class FloorView {
 public:
