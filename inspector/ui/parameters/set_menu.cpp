@@ -2,9 +2,9 @@
 #include "ui/parameters/set_menu.h"
 
 #include "core/setup/files.h"
+#include "ui/files/file_chooser.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parts/described.h"
-#include "ui/parts/file_chooser.h"
 #include "ui/parts/settings_keys.h"
 
 #include <QDialogButtonBox>

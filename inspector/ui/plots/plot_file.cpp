@@ -2,7 +2,7 @@
 #include "ui/plots/plot_file.h"
 
 #include "core/setup/files.h"
-#include "ui/parts/picture_file.h"
+#include "ui/files/picture_file.h"
 
 #include <QFileInfo>
 #include <QPdfWriter>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_stack.h"
 
-#include "ui/parts/picture_file.h"
+#include "ui/files/picture_file.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/plots/plot_file.h"
 #include "ui/plots/quantity_menu.h"

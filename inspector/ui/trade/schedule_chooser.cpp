@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trade/schedule_chooser.h"
 
+#include "ui/files/file_box.h"
+#include "ui/files/file_chooser.h"
 #include "ui/parts/described.h"
-#include "ui/parts/file_box.h"
-#include "ui/parts/file_chooser.h"
 #include "ui/parts/number_box.h"
 
 #include <QComboBox>

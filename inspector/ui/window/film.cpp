@@ -5,9 +5,9 @@
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
 #include "gl/view/maze_view.h"
+#include "ui/files/picture_file.h"
 #include "ui/parts/described.h"
 #include "ui/parts/number_box.h"
-#include "ui/parts/picture_file.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

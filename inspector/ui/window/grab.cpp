@@ -3,7 +3,7 @@
 
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
-#include "ui/parts/picture_file.h"
+#include "ui/files/picture_file.h"
 
 #include <QCoreApplication>
 #include <QImage>

@@ -12,10 +12,10 @@
 #include "ui/parts/settings_keys.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/runs/run_dock.h"
 #include "ui/track/track_dock.h"
 #include "ui/trade/trade_dock.h"
 #include "ui/window/main_window.h"
-#include "ui/window/run_dock.h"
 #include "ui/window/watch_list.h"
 
 #include <QAction>

@@ -3,7 +3,7 @@
 #include "core/schedule/recording_schedule.h"
 #include "core/setup/lines.h"
 #include "core/track/track_reader.h"
-#include "ui/parts/file_chooser.h"
+#include "ui/files/file_chooser.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/track/track_dock.h"

@@ -8,7 +8,7 @@
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
 #include "gl/view/maze_view.h"
-#include "ui/parts/picture_file.h"
+#include "ui/files/picture_file.h"
 #include "ui/parts/settings_keys.h"
 
 #include <QFileInfo>

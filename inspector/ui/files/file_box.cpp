@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/parts/file_box.h"
+#include "ui/files/file_box.h"
 
 #include "core/setup/lines.h"
 #include "ui/parts/path_icon.h"

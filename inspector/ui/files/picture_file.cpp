@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/parts/picture_file.h"
+#include "ui/files/picture_file.h"
 
 #include "core/setup/files.h"
 #include "core/setup/lines.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/run_dock.h"
+#include "ui/runs/run_dock.h"
 
 #include "core/setup/numbers.h"
 #include "ui/game/clock_text.h"

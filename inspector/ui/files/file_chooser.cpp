@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/parts/file_chooser.h"
+#include "ui/files/file_chooser.h"
 
 #include "core/recording/recording.h"
 #include "core/setup/lines.h"
