@@ -124,13 +124,41 @@ void change(Random &random, double &number, double unit) {
     }
 }
 
+/// Anything, or so near to 1 that bounces hardly end.
+double restitution(Random &random) {
+    return random.below(2) ? random.between(0.0, 1.0) : 1.0 - magnitude(random, 1e-15, 0.1);
+}
+
+/// A usual one, or one of the range's ends.
+double friction(Random &random) {
+    switch (random.below(4)) {
+    case 0:
+        return 0.0;
+    case 1:
+        return magnitude(random, 10.0, 1e6);
+    default:
+        return magnitude(random, 0.01, 10.0);
+    }
+}
+
+/// Up to the largest that the library accepts, from the same side.
+void changeAllGravity(Random &random, Case &scene) {
+    constexpr double kLargest = 1e6;
+    const double factor = magnitude(random, 0.01, 100.0);
+    for (witness::Leg &leg : scene.legs) {
+        for (double *g : {&leg.gravity.x, &leg.gravity.y, &leg.gravity.z}) {
+            *g = std::clamp(*g * factor, -kLargest, kLargest);
+        }
+    }
+}
+
 double &component(Random &random, phys_vec3 &v) { return (&v.x)[random.below(3)]; }
 
 Case changed(Random &random, Case scene) {
     const double R = scene.radius, speed = std::sqrt(kGravity * R);
     witness::Leg &leg = scene.legs[random.below(static_cast<uint32_t>(scene.legs.size()))];
     phys_params &params = scene.params;
-    switch (random.below(8)) {
+    switch (random.below(9)) {
     case 0:
         change(random, component(random, scene.start.position), R);
         break;
@@ -147,10 +175,13 @@ Case changed(Random &random, Case scene) {
         leg.dt = magnitude(random, 1e-4, 1e4);
         break;
     case 5:
-        (random.below(2) ? params.restitution_wall : params.restitution_floor) = random.between(0.0, 1.0);
+        (random.below(2) ? params.restitution_wall : params.restitution_floor) = restitution(random);
         break;
     case 6:
-        (random.below(2) ? params.sliding_friction : params.wall_friction) = magnitude(random, 0.01, 10.0);
+        (random.below(2) ? params.sliding_friction : params.wall_friction) = friction(random);
+        break;
+    case 7:
+        changeAllGravity(random, scene);
         break;
     default: {
         phys_box &box = scene.boxes[random.below(static_cast<uint32_t>(scene.boxes.size()))];
