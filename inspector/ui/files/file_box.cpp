@@ -3,6 +3,7 @@
 
 #include "core/setup/lines.h"
 #include "ui/parts/path_icon.h"
+#include "ui/parts/theme.h"
 
 #include <QAction>
 #include <QFileInfo>
@@ -10,7 +11,8 @@
 namespace inspector::ui {
 
 FileBox::FileBox(QWidget *parent)
-    : TextBox({}, parent) {
+    : QLineEdit(parent)
+    , m_alarm(new AlarmText(*this, QPalette::Text)) {
     QAction *open = addAction(glyphIcon(Glyph::Open), QLineEdit::TrailingPosition);
     open->setToolTip(tr("Choose a file…"));
     connect(open, &QAction::triggered, this, &FileBox::chooseWanted);
@@ -28,7 +30,7 @@ QString FileBox::problem() const {
 void FileBox::mark(bool isEntered) {
     m_isEntered = isEntered;
     const QString problem = this->problem();
-    setRefused(!problem.isEmpty());
+    m_alarm->setOn(!problem.isEmpty());
     setToolTip(problem.isEmpty() ? accessibleDescription() : problem);
 }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/parts/text_box.h"
+#include <QLineEdit>
 
 namespace inspector::ui {
 
+class AlarmText;
+
 /// The name of a file that is read, as typed, with a button that asks for one. A name of no file is marked once it is
 /// entered.
-class FileBox : public TextBox {
+class FileBox : public QLineEdit {
     Q_OBJECT
 
 public:
@@ -24,6 +26,7 @@ signals:
 private:
     void mark(bool isEntered);
 
+    AlarmText *m_alarm;
     bool m_isEntered = false; ///< since it was edited last
 };
 

@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QLineEdit;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
@@ -15,10 +16,10 @@ class QUndoStack;
 
 namespace inspector::ui {
 
+class AlarmText;
 class FileBox;
 class FitTable;
 class ResidualPlot;
-class TextBox;
 
 /// A measured ball: its file, its overlay on the run, its fit in the background, and the results, which can be applied.
 class TrackDock : public QWidget {
@@ -77,7 +78,8 @@ private:
     std::optional<Track> m_track;
     QString m_level; ///< name of the level on which it was opened
     FileBox *m_file;
-    TextBox *m_units; ///< refused if they can't be read
+    QLineEdit *m_units;
+    AlarmText *m_unitsAlarm; ///< on while they can't be read
     QPushButton *m_fit;
     QToolButton *m_save;
     QPushButton *m_follow;

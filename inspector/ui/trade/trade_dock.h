@@ -10,6 +10,7 @@
 
 class QComboBox;
 class QLabel;
+class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QSlider;
@@ -20,10 +21,10 @@ class QUndoStack;
 
 namespace inspector::ui {
 
+class AlarmText;
 class ElidedLabel;
 class NumberBox;
 class ScheduleChooser;
-class TextBox;
 class TradeChart;
 class TradeTableModel;
 
@@ -112,7 +113,8 @@ private:
     ScheduleChooser *m_schedule;
     NumberBox *m_duration;
     QComboBox *m_model;
-    TextBox *m_unknowns; ///< refused while they can't be read
+    QLineEdit *m_unknowns;
+    AlarmText *m_unknownsAlarm; ///< on while they can't be read
     NumberBox *m_horizon;
     NumberBox *m_share;
     QLabel *m_unknownsError;

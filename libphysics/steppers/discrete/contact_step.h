@@ -5,10 +5,13 @@
 #include "contact/ball.h"
 #include "contact/impact.h"
 #include "contact/lasting.h"
+#include "contact/least_push.h"
 #include "floor_contact.h"
 #include "registry/report.h"
 
 #include <glm/common.hpp>
+
+#include <optional>
 
 namespace phys {
 
@@ -29,6 +32,10 @@ struct StepContext {
     /// Whether what presses a ball onto a floor, or lifts it, changes its motion there.
     bool rubsOnFloor() const { return (isRigid() ? params().sliding_friction : params().rolling_friction) > 0.0; }
 };
+
+inline bool touches(const StepContext &context, const Contact &contact) {
+    return contact.gap <= context.setting.tolerance;
+}
 
 /// Below this share of gravity, or of sqrt(g R), a motion is the rounding error of a ball that stopped.
 inline constexpr double kStill = 1e-12;
@@ -69,10 +76,11 @@ private:
     bool m_lands = false;
 };
 
-/// The impacts of this moment, `after` seconds into the step, and their events. False if nothing hits. Contacts
+/// The impacts of this moment, `after` seconds into the step, and their events. Nothing if nothing hits. Contacts
 /// opposite to each other, between which the ball would bounce back and forth without end, are hit one at a time: the
-/// later ones are dropped. Moves the ball towards what it would reach within h (s), and changes the gaps accordingly.
-bool hit(const StepContext &context, Contacts &contacts, double after, double h, Ball &ball);
+/// later ones are dropped. Moves the ball towards what it would reach within h (s), and changes the gaps accordingly;
+/// returns how much of h is left for the motion after that.
+std::optional<double> hit(const StepContext &context, Contacts &contacts, double after, double h, Ball &ball);
 
 /// The rolling model's spin at a top face, which follows the velocity: model.md 13.1.
 class SpinOnFloor {
@@ -131,6 +139,9 @@ private:
     Vec3 m_along{0.0}; ///< unit, orthogonal to the first two
     uint32_t m_count = 0;
 };
+
+/// leastPush in the mean of both orders, which favours none; changes the order.
+Vec3 leastWay(std::span<Push> pushes, double negligible);
 
 /// Moves the ball out of all boxes without changing its velocity. False if there is no room for it.
 bool leaveOverlaps(const StepContext &context, Ball &ball);

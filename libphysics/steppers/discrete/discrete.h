@@ -96,7 +96,7 @@ public:
     /// The smooth motion alone, without obstacles.
     SmoothLoss move(Ball &ball) {
         if (!ball.supported) {
-            moveBy(flightLaw(m_context.params()), ball);
+            moveBy(flightLaw(m_context.params()), m_h, ball);
             return {};
         }
         ball.velocity.z = 0.0;
@@ -222,8 +222,8 @@ private:
                            [&](const Contact &contact) { return contact.box == box; });
     }
 
-    void moveBy(const Law<Vec3> &law, Ball &ball) const {
-        const Advance<Vec3> next = Scheme::advance(law, ball.velocity, m_h);
+    void moveBy(const Law<Vec3> &law, double h, Ball &ball) const {
+        const Advance<Vec3> next = Scheme::advance(law, ball.velocity, h);
         ball.velocity = next.velocity;
         ball.position += next.displacement;
     }
@@ -297,23 +297,22 @@ private:
     void meet(double start, const Ways &ways, Contacts &contacts, Ball &ball) {
         lookAhead(m_context, ball, ways.list(), m_h, contacts);
         SpinOnFloor spin(m_context, contacts, ball);
-        hitInThisScheme(contacts, start, ball);
+        const double left = hitInThisScheme(contacts, start, ball).value_or(m_h);
         spin.follow(contacts, ball);
-        if (rollBetweenWalls(contacts, ball)) {
+        if (left == m_h && rollBetweenWalls(contacts, ball)) {
             spin.settle(true, ball);
         } else {
-            spin.settle(holdContacts(contacts, ball), ball);
+            spin.settle(holdContacts(contacts, left, ball), ball);
         }
     }
 
-    void hitInThisScheme(Contacts &contacts, double start, Ball &ball) const {
-        if constexpr (Scheme::kContactRule == ContactRule::Explicit) {
-            const ExplicitLanding landing(m_context, contacts, m_h, ball);
-            hit(m_context, contacts, start, m_h, ball);
-            landing.leave(ball);
-        } else {
-            hit(m_context, contacts, start, m_h, ball);
-        }
+    /// Returns the seconds that are left, or nothing if nothing hits.
+    std::optional<double> hitInThisScheme(Contacts &contacts, double start, Ball &ball) const {
+        if constexpr (Scheme::kContactRule != ContactRule::Explicit) return hit(m_context, contacts, start, m_h, ball);
+        const ExplicitLanding landing(m_context, contacts, m_h, ball);
+        const std::optional<double> left = hit(m_context, contacts, start, m_h, ball);
+        landing.leave(ball);
+        return left;
     }
 
     /// Whether the ball overlaps a box that isn't among the contacts.
@@ -337,10 +336,10 @@ private:
         return hold({setting, silent, m_context.work}, contacts, Scheme::kContactRule, h, ball);
     }
 
-    /// A substep with all contacts. Returns whether a top face pressed.
-    bool holdContacts(const Contacts &contacts, Ball &ball) {
+    /// h seconds with all contacts. Returns whether a top face pressed.
+    bool holdContacts(const Contacts &contacts, double h, Ball &ball) {
         if (Scheme::kContactRule != ContactRule::SecondOrder)
-            return hold(m_context, contacts, Scheme::kContactRule, m_h, ball);
+            return hold(m_context, contacts, Scheme::kContactRule, h, ball);
         Ball start = ball;
         const Contacts kept = keepContacts(contacts, start);
         const bool arrives = kept.count() > 1 && std::any_of(kept.begin(), kept.end(), [&](const Contact &contact) {
@@ -349,21 +348,21 @@ private:
         if (!arrives) {
             Reporter silent;
             Ball next = start;
-            const bool pressesOnTop = holdOrFly({m_context.setting, silent, m_context.work}, kept, next);
+            const bool pressesOnTop = holdOrFly({m_context.setting, silent, m_context.work}, kept, h, next);
             if (kept.empty() || !overlapsAnother(contacts, kept, next)) {
-                const bool presses = m_context.report.wanted() ? holdOrFly(m_context, kept, start) : pressesOnTop;
+                const bool presses = m_context.report.wanted() ? holdOrFly(m_context, kept, h, start) : pressesOnTop;
                 ball = m_context.report.wanted() ? start : next;
                 return presses;
             }
         }
         // While held at one contact the ball comes to another within the substep: the rule that closes gaps handles
         // both.
-        return hold(m_context, contacts, ContactRule::Closing, m_h, ball);
+        return hold(m_context, contacts, ContactRule::Closing, h, ball);
     }
 
-    bool holdOrFly(const StepContext &context, const Contacts &contacts, Ball &ball) const {
-        if (!contacts.empty()) return hold(context, contacts, ContactRule::SecondOrder, m_h, ball);
-        moveBy(flightLaw(m_context.params()), ball);
+    bool holdOrFly(const StepContext &context, const Contacts &contacts, double h, Ball &ball) const {
+        if (!contacts.empty()) return hold(context, contacts, ContactRule::SecondOrder, h, ball);
+        moveBy(flightLaw(m_context.params()), h, ball);
         return false;
     }
 
