@@ -180,12 +180,32 @@ LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, 
     return solve(INFINITY);
 }
 
+/// Between two nearly opposite normals what rounding leaves of the speed along them becomes thousands of times faster
+/// across, which could lift a ball that they hold. driven: a speed (m/s) of the size of those before.
+void stopBetween(const LastingContacts &contacts, double driven, Motion &motion) {
+    constexpr double kNearlyOpposite = 1e-3; // half the length of their sum
+    NormalSpan held;
+    bool areOpposite = false;
+    for (const Lasting &contact : contacts) {
+        const bool isHeld = contact.reaction > 0.0 && contact.slow == 0.0 &&
+                            std::abs(glm::dot(motion.velocity, contact.limit)) <= kStill * driven;
+        if (!isHeld) continue;
+        held.add(contact.limit);
+        for (const Lasting &other : contacts) {
+            const bool isOpposite = glm::length(other.limit + contact.limit) <= 2.0 * kNearlyOpposite;
+            areOpposite = areOpposite || (isOpposite && other.reaction > 0.0 && other.slow == 0.0);
+        }
+    }
+    if (areOpposite) motion.velocity = held.across(motion.velocity);
+}
+
 HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
     const Motion before = motionOf(ball);
     Motion motion = before;
     const LastingContacts lasting = closeGaps(context, contacts, h, motion);
     const SmoothLoss loss = lossOf(context, lasting, before, motion);
     const bool isExplicit = kind == ContactRule::Explicit;
+    stopBetween(lasting, glm::length(before.velocity) + h * glm::length(context.setting.gravity()), motion);
     const Vec3 moving = isExplicit ? mixedVelocity(lasting, before.velocity, motion.velocity) : motion.velocity;
     ball.position += h * moving;
     setMotion(motion, ball);
