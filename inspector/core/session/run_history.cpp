@@ -23,6 +23,7 @@ void RunHistory::update(const KeptRun &live) {
     KeptRun &run = m_runs.back();
     if (run.end != live.end && run.pace.back() != live.pace.back()) run.pace.push_back(live.pace.back());
     run.end = live.end;
+    run.last = live.last;
     run.time = live.time;
     run.side = live.side;
 }

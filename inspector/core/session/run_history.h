@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/program/run_settings.h"
+#include "core/setup/inputs.h"
 #include "core/setup/levels.h"
 #include "core/simulation/departure.h"
 #include "core/simulation/sample_ring.h"
@@ -19,6 +20,8 @@ struct KeptRun {
     Level level;
     uint64_t maze = 0;                               ///< hash of its file's bytes
     std::vector<std::pair<QByteArray, double>> pace; ///< id of the stepper and dt, s, in their order
+    Inputs first = initialInputs();                  ///< of its first step
+    Inputs last = initialInputs();                   ///< of its last step so far
     double time = 0.0;                               ///< s, until the ball left the maze; else at its end
     BoardSide side = BoardSide::Within;              ///< where it left
 };
@@ -31,7 +34,7 @@ public:
     bool isOldestCut(const HistoryPlace &kept) const; ///< not all of its steps are kept any more
     /// Drops what isn't kept any more.
     void follow(const Snapshot &now);
-    /// live: the live run as it is now; `pace` only that of its last step.
+    /// live: the live run as it is now; `pace` and inputs only those of its last step.
     void update(const KeptRun &live);
 
     /// What followed the moment that was last taken over, with fewer samples; until the next run.

@@ -154,7 +154,15 @@ void Session::watchRuns(const Snapshot &now) {
     const std::optional<Departure> left = departure(now);
     const double time = left ? left->time : now.current.time;
     const BoardSide side = left ? left->side : BoardSide::Within;
-    m_history.update({kept.run, kept.end, level(), m_levels.maze().hash, {{m_stepperId, now.dt}}, time, side});
+    m_history.update({kept.run,
+                      kept.end,
+                      level(),
+                      m_levels.maze().hash,
+                      {{m_stepperId, now.dt}},
+                      now.inputs,
+                      now.inputs,
+                      time,
+                      side});
 }
 
 std::optional<MazeSource> Session::changedMaze() {

@@ -5,6 +5,7 @@
 #include "core/events/event_table.h"
 #include "ui/bounces/bounce_table_model.h"
 #include "ui/parts/elided_label.h"
+#include "ui/parts/empty_text.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/parts/turning_splitter.h"
 
@@ -154,6 +155,7 @@ void BounceDock::makeTable() {
     m_table->setAccessibleName(tr("Bounces"));
     m_filter->setSourceModel(m_events);
     m_table->setModel(m_filter);
+    new EmptyText(*m_table, tr("None yet"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setAlternatingRowColors(true);

@@ -3,7 +3,6 @@
 
 #include "core/setup/lines.h"
 #include "ui/parts/path_icon.h"
-#include "ui/parts/theme.h"
 
 #include <QAction>
 #include <QFileInfo>
@@ -11,8 +10,7 @@
 namespace inspector::ui {
 
 FileBox::FileBox(QWidget *parent)
-    : QLineEdit(parent)
-    , m_alarm(new AlarmText(*this, QPalette::Text)) {
+    : TextBox({}, parent) {
     QAction *open = addAction(glyphIcon(Glyph::Open), QLineEdit::TrailingPosition);
     open->setToolTip(tr("Choose a file…"));
     connect(open, &QAction::triggered, this, &FileBox::chooseWanted);
@@ -30,7 +28,7 @@ QString FileBox::problem() const {
 void FileBox::mark(bool isEntered) {
     m_isEntered = isEntered;
     const QString problem = this->problem();
-    m_alarm->setOn(!problem.isEmpty());
+    setRefused(!problem.isEmpty());
     setToolTip(problem.isEmpty() ? accessibleDescription() : problem);
 }
 

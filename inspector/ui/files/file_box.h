@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QLineEdit>
+#include "ui/parts/text_box.h"
 
 namespace inspector::ui {
 
-class AlarmText;
-
 /// The name of a file that is read, as typed, with a button that asks for one. A name of no file is marked once it is
 /// entered.
-class FileBox : public QLineEdit {
+class FileBox : public TextBox {
     Q_OBJECT
 
 public:
@@ -26,7 +24,6 @@ signals:
 private:
     void mark(bool isEntered);
 
-    AlarmText *m_alarm;
     bool m_isEntered = false; ///< since it was edited last
 };
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/run_dock.h"
 
+#include "core/session/run_values.h"
 #include "core/setup/numbers.h"
+#include "core/setup/tables.h"
 #include "ui/game/clock_text.h"
 #include "ui/game/game_strip.h"
+#include "ui/parts/empty_text.h"
 
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -51,6 +54,24 @@ QString mazeTitle(const Session &session, const KeptRun &run) {
     return RunDock::tr("%1, version %2").arg(title).arg(std::ranges::find(versions, run.maze) - versions.begin() + 1);
 }
 
+QString valueText(const phys_param_row &row, double value) {
+    if (row.flags & PHYS_ROW_SWITCH) return value != 0.0 ? RunDock::tr("on") : RunDock::tr("off");
+    const QStringList choices = choicesOf(row);
+    if (!choices.isEmpty()) return choices.value(int(value - row.min));
+    return QStringLiteral("%1 %2").arg(value).arg(printedUnit(QString::fromUtf8(row.unit))).trimmed();
+}
+
+/// Restitution, walls 0.7; Gravity 9.81 m/s² → 1.62 m/s²
+QString parametersOf(const KeptRun &run, const Registry &registry) {
+    QStringList texts;
+    for (const auto &[row, first, last] : changedValues(run, registry)) {
+        QString text = QString::fromUtf8(row->label) + QLatin1Char(' ') + valueText(*row, first);
+        if (last != first) text += QStringLiteral(" → ") + valueText(*row, last);
+        texts += text;
+    }
+    return texts.isEmpty() ? RunDock::tr("initial") : texts.join(QStringLiteral("; "));
+}
+
 QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
     QStringList steppers;
     QStringList steps;
@@ -58,7 +79,8 @@ QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
         steppers += stepperName(session.registry(), stepper);
         steps += durationText(dt);
     }
-    return {mazeTitle(session, run), listed(steppers), listed(steps), clockText(run.time), resultOf(run, isLive)};
+    return {mazeTitle(session, run), listed(steppers),      listed(steps),
+            clockText(run.time),     resultOf(run, isLive), parametersOf(run, session.registry())};
 }
 
 /// In bold; a screen reader says it.
@@ -80,7 +102,10 @@ RunDock::RunDock(Session &session, QWidget *parent)
     setRootIsDecorated(false);
     setAlternatingRowColors(true);
     setUniformRowHeights(true);
-    setHeaderLabels({tr("Level"), tr("Stepper"), tr("Time step"), tr("Time"), tr("Result")});
+    setHeaderLabels({tr("Level"), tr("Stepper"), tr("Time step"), tr("Time"), tr("Result"), tr("Parameters")});
+    setToolTip(tr("Double click or Enter: see the run again"));
+    new EmptyText(*this,
+                  tr("No run yet. Every start, restart and change of the past begins one, and all are kept here."));
     header()->setSectionsMovable(false);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     connect(this, &QTreeWidget::itemDoubleClicked, this, [this](const QTreeWidgetItem *item) { goTo(item); });

@@ -15,14 +15,13 @@
 #include "ui/parts/path_icon.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/parts/settings_text.h"
-#include "ui/parts/theme.h"
+#include "ui/parts/text_box.h"
 #include "ui/plots/plot_file.h"
 #include "ui/track/fit_table.h"
 #include "ui/track/residual_plot.h"
 
 #include <QBoxLayout>
 #include <QFileInfo>
-#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
@@ -69,7 +68,7 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(&m_worker, &FitWorker::progressed, this,
             [this](double share) { m_progress->setValue(int(share * m_progress->maximum())); });
     connect(&m_worker, &FitWorker::ended, this, &TrackDock::showOutcome);
-    for (const QLineEdit *typed : {static_cast<QLineEdit *>(m_file), m_units})
+    for (const TextBox *typed : {static_cast<TextBox *>(m_file), m_units})
         connect(typed, &QLineEdit::returnPressed, this, &TrackDock::openTrack);
     connect(m_follow, &QPushButton::clicked, this, &TrackDock::follow);
     QSettings &settings = session.settings();
@@ -108,12 +107,11 @@ QWidget *TrackDock::makeControls() {
     describe(m_file, tr("Table of the measured ball"),
              tr("A file with columns t, x, y and, if measured, tilt_x, tilt_y"));
     connect(m_file, &FileBox::chooseWanted, this, &TrackDock::chooseTrackFile);
-    m_units = new QLineEdit;
+    m_units = new TextBox;
     m_units->setObjectName(QStringLiteral("track_units"));
     m_units->setPlaceholderText(tr("Units: t=ms, x=mm, px=0.25mm, fps=60, mirror=y"));
     describe(m_units, tr("Units of the table"), tr("What the names of the columns don't say"));
-    m_unitsAlarm = new AlarmText(*m_units, QPalette::Text);
-    connect(m_units, &QLineEdit::textEdited, this, [this] { m_unitsAlarm->setOn(false); });
+    connect(m_units, &QLineEdit::textEdited, this, [this] { m_units->setRefused(false); });
     m_fit = new QPushButton(tr("Fit"));
     m_fit->setObjectName(QStringLiteral("track_fit"));
     describe(m_fit, {}, tr("Find the board on which the computed ball rolls like the measured one"));
@@ -170,7 +168,7 @@ bool TrackDock::openTrack() {
     QString error;
     const std::optional<TrackUnits> units = parseTrackUnits(m_units->text(), &error);
     std::optional<Track> track = units ? readTrackFile(m_file->path(), *units, &error) : std::nullopt;
-    m_unitsAlarm->setOn(!units);
+    m_units->setRefused(!units);
     if (!track) {
         m_report->setPlainText((QStringList(error) + reportLines()).join(QLatin1Char('\n')));
         return false;

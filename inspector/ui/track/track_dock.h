@@ -6,7 +6,6 @@
 
 #include <QWidget>
 
-class QLineEdit;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
@@ -16,10 +15,10 @@ class QUndoStack;
 
 namespace inspector::ui {
 
-class AlarmText;
 class FileBox;
 class FitTable;
 class ResidualPlot;
+class TextBox;
 
 /// A measured ball: its file, its overlay on the run, its fit in the background, and the results, which can be applied.
 class TrackDock : public QWidget {
@@ -78,8 +77,7 @@ private:
     std::optional<Track> m_track;
     QString m_level; ///< name of the level on which it was opened
     FileBox *m_file;
-    QLineEdit *m_units;
-    AlarmText *m_unitsAlarm; ///< on while they can't be read
+    TextBox *m_units; ///< refused if they can't be read
     QPushButton *m_fit;
     QToolButton *m_save;
     QPushButton *m_follow;

@@ -7,12 +7,14 @@
 #include "ui/parts/board_vector.h"
 #include "ui/parts/described.h"
 #include "ui/parts/elided_label.h"
+#include "ui/parts/empty_text.h"
 #include "ui/parts/flow_layout.h"
 #include "ui/parts/number_box.h"
 #include "ui/parts/path_icon.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/parts/settings_text.h"
 #include "ui/parts/stepping_command.h"
+#include "ui/parts/text_box.h"
 #include "ui/parts/theme.h"
 #include "ui/parts/turning_splitter.h"
 #include "ui/trade/schedule_chooser.h"
@@ -24,7 +26,6 @@
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
@@ -144,7 +145,7 @@ void TradeDock::makeControls() {
     m_model = named(new QComboBox, "trade_model");
     m_model->addItems({tr("Rolling model"), tr("Rigid model")}); // in the order of their numbers
     describe(m_model, tr("Model"), tr("The model whose figures are shown"));
-    m_unknowns = named(new QLineEdit(usualUnknowns()), "trade_unknowns");
+    m_unknowns = named(new TextBox(usualUnknowns()), "trade_unknowns");
     m_unknowns->home(false); // show its beginning
     describe(m_unknowns, tr("Not known"),
              tr("What isn't known exactly of the real board, and by how much: tilt, start or a parameter by its name; "
@@ -153,7 +154,6 @@ void TradeDock::makeControls() {
     m_unknownsError->setWordWrap(true);
     m_unknownsError->setTextFormat(Qt::PlainText);
     (new AlarmText(*m_unknownsError, QPalette::WindowText))->setOn(true);
-    m_unknownsAlarm = new AlarmText(*m_unknowns, QPalette::Text);
     m_horizon = named(new NumberBox, "trade_horizon");
     m_horizon->setKind(numberKind({0.1, 60.0, QStringLiteral("s")}, 0.1));
     m_horizon->setValue(kTradeHorizon);
@@ -258,6 +258,7 @@ void TradeDock::makeTable() {
     m_sorted->setSortRole(TradeTableModel::kSortRole);
     m_sorted->setFilterKeyColumn(TradeTableModel::Model);
     m_table->setModel(m_sorted);
+    new EmptyText(*m_table, tr("Not measured yet"));
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(-1, Qt::AscendingOrder); // in the order of measurement
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -337,7 +338,7 @@ std::optional<Unknowns> TradeDock::unknowns() {
     QString error;
     std::optional<Unknowns> result = parseUnknowns(m_unknowns->text().trimmed(), &error);
     m_unknownsError->setText(error);
-    m_unknownsAlarm->setOn(!error.isEmpty());
+    m_unknowns->setRefused(!error.isEmpty());
     m_unknownsError->setVisible(!error.isEmpty());
     return result;
 }

@@ -10,7 +10,6 @@
 
 class QComboBox;
 class QLabel;
-class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QSlider;
@@ -21,10 +20,10 @@ class QUndoStack;
 
 namespace inspector::ui {
 
-class AlarmText;
 class ElidedLabel;
 class NumberBox;
 class ScheduleChooser;
+class TextBox;
 class TradeChart;
 class TradeTableModel;
 
@@ -113,8 +112,7 @@ private:
     ScheduleChooser *m_schedule;
     NumberBox *m_duration;
     QComboBox *m_model;
-    QLineEdit *m_unknowns;
-    AlarmText *m_unknownsAlarm; ///< on while they can't be read
+    TextBox *m_unknowns; ///< refused while they can't be read
     NumberBox *m_horizon;
     NumberBox *m_share;
     QLabel *m_unknownsError;

@@ -33,6 +33,9 @@ private slots:
     void runWhoseBeginningIsGoneSaysSo();
     void runThatContinuesAnotherSaysWhereThatIs();
     void recordingOfARunTakenOverSaysWhereItBegins();
+    void emptyListSaysWhatItWillHold();
+    void parametersOfARunAreThoseThatArentInitial_data();
+    void parametersOfARunAreThoseThatArentInitial();
     void runShownIsMarked();
     void recordingWithoutStepsIsNotSaved_data();
     void recordingWithoutStepsIsNotSaved();
@@ -157,6 +160,38 @@ void TestWindowRuns::recordingOfARunTakenOverSaysWhereItBegins() {
     QCOMPARE(inspector::ui::remarkOnSaved(m_fixture->session(), "taken.rec"),
              QString("taken.rec: begins at 0.2 s, where the run was taken over; its table (.csv) has what came before, "
                      "too"));
+}
+
+void TestWindowRuns::emptyListSaysWhatItWillHold() {
+    QVERIFY(!m_fixture->find<QLabel>("runs_empty")->isVisible());
+    Fixture other;
+    QVERIFY(other.isReady());
+    other.trigger("show_runs_dock");
+    const auto *text = other.find<QLabel>("runs_empty");
+    QVERIFY(text->isVisible() && text->text().startsWith("No run yet"));
+    QVERIFY(text->width() > 100 && text->heightForWidth(text->width()) <= text->height()); // all of it is seen
+}
+
+void TestWindowRuns::parametersOfARunAreThoseThatArentInitial_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<int>("stepsBefore");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("initial") << QString() << 0 << "initial";
+    QTest::newRow("from the start") << "1.62" << 0 << "Gravity 1.62 m/s²";
+    QTest::newRow("during the run") << "1.62" << 5 << "Gravity 9.81 m/s² → 1.62 m/s²";
+}
+
+void TestWindowRuns::parametersOfARunAreThoseThatArentInitial() {
+    QFETCH(QString, typed);
+    QFETCH(int, stepsBefore);
+    QFETCH(QString, expected);
+    restart();
+    m_fixture->makeSteps(uint64_t(stepsBefore));
+    m_fixture->window().refresh();
+    if (!typed.isEmpty()) typeGravity(typed);
+    m_fixture->makeSteps(5);
+    m_fixture->window().refresh();
+    QCOMPARE(m_fixture->find<QTreeWidget>("runs")->topLevelItem(0)->text(5), expected);
 }
 
 void TestWindowRuns::runShownIsMarked() {

@@ -5,6 +5,7 @@
 #include "ui/parameters/fine_slider.h"
 #include "ui/parameters/slider_scale.h"
 #include "ui/parts/number_box.h"
+#include "ui/parts/theme.h"
 #include "window_fixture.h"
 
 #include <QComboBox>
@@ -39,6 +40,8 @@ private slots:
     void unreadableNumberStaysWhereTheFieldIsLeft();
     void refusedTextKeepsTheKeyboard_data();
     void refusedTextKeepsTheKeyboard();
+    void escTakesBackWhatWasTyped_data();
+    void escTakesBackWhatWasTyped();
     void undoGoesOnAfterTheTextOfANumber();
     void newValueTakesThePlaceOfRefusedText_data();
     void newValueTakesThePlaceOfRefusedText();
@@ -201,6 +204,30 @@ void TestWindowInput::refusedTextKeepsTheKeyboard() {
     QTest::keyClick(field, Qt::Key_Return);
     for (int pass = 0; pass < 3; ++pass) QCoreApplication::processEvents(); // the keyboard is returned later
     QVERIFY(field->hasFocus());
+}
+
+void TestWindowInput::escTakesBackWhatWasTyped_data() { refusedTextKeepsTheKeyboard_data(); }
+
+// Whether it was entered and refused, or not entered yet.
+void TestWindowInput::escTakesBackWhatWasTyped() {
+    QFETCH(Qt::Key, dock);
+    QFETCH(QString, text);
+    if (dock) m_fixture->press(dock, Qt::ControlModifier);
+    auto *field = m_fixture->find<QLineEdit>(QTest::currentDataTag());
+    field->setFocus();
+    const QString before = field->text();
+    for (const bool isEntered : {false, true}) {
+        field->setFocus();
+        field->selectAll();
+        m_fixture->type(text);
+        if (isEntered) QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(field->text(), text);
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!inspector::ui::AlarmText::isOn(*field));
+        QTRY_VERIFY(m_fixture->window().view().hasFocus());
+        field->setFocus();
+        QCOMPARE(field->text(), before);
+    }
 }
 
 // First the text comes back, then the changes before it.
