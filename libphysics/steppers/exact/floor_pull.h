@@ -45,9 +45,20 @@ public:
         if (!isRigid()) return true;
         constexpr double kNoSlip = 64.0 * kRounding;
         const Vec2 slip = velocity - spinSpeed(spin, R);
+        return glm::dot(slip, slip) <= kNoSlip * kNoSlip * speedSquared && keepsRolling();
+    }
+
+    /// Rigid model: whether friction suffices for a ball that rolls.
+    bool keepsRolling() const {
         const double most = m_params.sliding_friction * pressure;
-        return glm::dot(slip, slip) <= kNoSlip * kNoSlip * speedSquared &&
-               4.0 / 49.0 * glm::dot(level, level) < most * most;
+        return 4.0 / 49.0 * glm::dot(level, level) < most * most;
+    }
+
+    /// Whether the ball rests and the pull overcomes resistance along an axis, so that it starts to roll.
+    bool starts(int axis, const Vec3 &velocity, const Vec3 &spin) const {
+        if (velocity != Vec3(0.0) || spin.x != 0.0 || spin.y != 0.0 || (isRigid() && !keepsRolling())) return false;
+        const double drive = 5.0 / 7.0 * level[axis], most = resistance();
+        return drive * drive > (1.0 + kUnsure) * (most * most);
     }
 
     /// Whether it moves and rolls or glides on.

@@ -32,8 +32,8 @@ public:
         , m_pull(ball.scene(), ball.params())
         , m_level(m_pull.level, 0.0) {}
 
-    /// Computes one phase and the event that ends it. False if anything else may happen next.
-    bool advance() {
+    /// Computes one phase and the event that ends it. Leaves the ball where anything else may happen next.
+    void advance() {
         const Vec3 &velocity = m_ball.motion.velocity;
         const bool goesOn = m_pull.goesOn(inPlane(velocity), m_ball.motion.spin);
         m_rests = kNone;
@@ -43,12 +43,14 @@ public:
             if (away == 0.0 && m_rests == kNone)
                 m_rests = axis;
             else if (!(away > 0.0 && away * away > squareOfLeastSpeed()))
-                return false;
+                return;
         }
         m_spin = isRigid() ? m_ball.motion.spin : rollingSpin(inPlane(velocity), m_ball.radius());
-        m_rolls = goesOn && !m_pull.glides();
-        if (goesOn) return m_rests == kNone ? moveFreely() : moveAlongFace();
-        if (!isRigid() || m_pull.glides()) return false;
+        const bool starts = m_rests != kNone && m_pull.starts(1 - m_rests, velocity, m_spin);
+        m_rolls = starts || (goesOn && !m_pull.glides());
+        if (starts) return moveAlongFace(m_pull.drive()[1 - m_rests]);
+        if (goesOn) return m_rests == kNone ? moveFreely() : moveAlongFace(velocity[1 - m_rests]);
+        if (!isRigid() || m_pull.glides()) return;
         return m_rests == kNone ? slip() : slipAlongFace();
     }
 
@@ -63,7 +65,7 @@ private:
     double placeAt(int axis) const { return sideOf(axis) > 0 ? range(axis).lowFace : range(axis).highFace; }
 
     /// The ball rolls or glides.
-    bool moveFreely() {
+    void moveFreely() {
         const Vec3 velocity = m_ball.motion.velocity, drive(m_pull.drive(), 0.0);
         const double B = m_pull.resistance(), R = m_ball.radius();
         if (B == 0.0) return runOn(uniform(drive), End());
@@ -73,47 +75,55 @@ private:
     }
 
     /// Along the drive, until resistance stops the ball.
-    bool rollStraight() {
+    void rollStraight() {
         const Moment moment = m_ball.moment();
         const Vec3 turning = tangential(m_spin, kUp), heading = hat(glm::cross(turning, kUp));
         m_rolling = glm::cross(kUp, heading);
         const Uniform phase = uniform(Vec3(m_pull.accelerationAlong(inPlane(heading)), 0.0));
-        if (isNoSlip(moment, moment.radius * turning) || !isCollinear(m_rolling, phase.spinAcceleration)) return false;
-        const double speed = glm::dot(m_spin, m_rolling), slows = -glm::dot(phase.spinAcceleration, m_rolling);
-        return runOn(phase, slows > 0.0 ? End{speed / slows, Cause::stop, 0} : End());
+        if (isNoSlip(moment, moment.radius * turning) || !isCollinear(m_rolling, phase.spinAcceleration)) return;
+        return runOn(phase, stopOf(phase));
     }
 
     Uniform uniform(const Vec3 &a) const {
         return {m_ball.motion.velocity, a, m_spin, m_rolls ? glm::cross(kUp, a) / m_ball.radius() : Vec3(-0.0)};
     }
 
-    bool slip() {
+    void slip() {
         constexpr double kLeast = 1e-12; // relative to the speeds: smaller slips may be rounding
         const Moment moment = m_ball.moment();
         const Vec3 slip = slipAt(moment, kUp);
         const double friction = m_ball.params().sliding_friction * m_pull.pressure;
-        if (!(glm::length(slip) > kLeast * speedScale(moment)) || !m_pull.turns(inPlane(slip), friction)) return false;
+        if (!(glm::length(slip) > kLeast * speedScale(moment)) || !m_pull.turns(inPlane(slip), friction)) return;
         const Resisted phase =
             Resisted::slipping(2, moment.velocity, slip, m_level, friction, m_ball.radius(), moment.spin, kUp);
         const End end = phase.end();
         const Vec3 rolling =
             moment.velocity - 2.0 / 7.0 * slip + 5.0 / 7.0 * end.after * m_level; // velocity that is left
-        return (!(end.after < m_ball.left) || glm::length(rolling) > kUnsure * speedScale(moment)) && runOn(phase, end);
+        if (!(end.after < m_ball.left) || glm::length(rolling) > kUnsure * speedScale(moment)) runOn(phase, end);
     }
 
-    /// The drive presses the ball against a face, so that its acceleration is constant: model.md 14.1.
-    bool moveAlongFace() {
-        const Vec3 velocity = m_ball.motion.velocity;
+    /// The drive presses the ball against a face, so that its acceleration is constant: model.md 14.1. heading: along
+    /// the face; only its sign counts.
+    void moveAlongFace(double heading) {
         const int along = 1 - m_rests;
-        m_rolling = glm::cross(kUp, glm::sign(velocity));
-        if (!m_pull.presses(m_rests, sideOf(m_rests), inPlane(velocity), m_spin)) return false;
-        Vec3 a(0.0);
-        a[along] = m_pull.accelerationAlong(along, velocity[along]);
-        return m_pull.keepsAcceleration(velocity[along], a[along], m_ball.left) && runOn(uniform(a), End());
+        if (!m_pull.presses(m_rests, sideOf(m_rests), inPlane(m_ball.motion.velocity), m_spin)) return;
+        Vec3 way(0.0), a(0.0);
+        way[along] = heading > 0.0 ? 1.0 : -1.0;
+        a[along] = m_pull.accelerationAlong(along, heading);
+        m_rolling = glm::cross(kUp, way);
+        const Uniform phase = uniform(a);
+        return runOn(phase, stopOf(phase));
+    }
+
+    /// When resistance stops a ball that rolls straight on.
+    End stopOf(const Uniform &phase) const {
+        const double speed = glm::dot(m_spin, m_rolling), slows = -glm::dot(phase.spinAcceleration, m_rolling);
+        const bool ends = m_pull.resistance() > 0.0 && slows > 0.0 && speed > 0.0;
+        return ends ? End{speed / slows, Cause::stop, 0} : End();
     }
 
     /// Friction and drive press the ball against a smooth face, and the slip turns: model.md 14.2.
-    bool slipAlongFace() {
+    void slipAlongFace() {
         const phys_params &params = m_ball.params();
         const Moment moment = m_ball.moment();
         const int along = 1 - m_rests;
@@ -124,32 +134,31 @@ private:
         const Vec2 rate(-2.5 * B * direction[m_rests], m_level[along] - 3.5 * B * direction[along]);
         const double turning = slip[m_rests] * rate.y - slip[along] * rate.x;
         constexpr double kLeast = 1e-13, kLeastTurn = 1e-10; // relative to the speeds; sine of an angle
-        if (params.wall_friction > 0.0 || !(glm::length(slip) > kLeast * scale)) return false;
-        if (!(push > 0.02 * B + kUnsure * accelerationScale(moment))) return false;
+        if (params.wall_friction > 0.0 || !(glm::length(slip) > kLeast * scale)) return;
+        if (!(push > 0.02 * B + kUnsure * accelerationScale(moment))) return;
         if (!(std::abs(turning) > kLeastTurn * glm::length(slip) * glm::length(rate))) return slipStraight(slip);
         const Reaction rough{Mode::slipping, m_pull.pressure, Vec3(0.0), direction, slip};
         const Reaction smooth{Mode::smooth, push, push * n, Vec3(0.0), Vec3(0.0)};
         const Slide phase(moment, {0, 1, 2, m_rests}, kUp, rough, params.sliding_friction, smooth);
         const End end = phase.end(m_ball.left, m_ball.work);
         const double rolling = moment.velocity[along] - 2.0 / 7.0 * slip[along]; // if the slip ends now
-        return (end.cause != Cause::grip || std::abs(rolling) > kUnsure * scale) && runOn(phase, end);
+        if (end.cause != Cause::grip || std::abs(rolling) > kUnsure * scale) runOn(phase, end);
     }
 
     /// The same of a slip that keeps its direction, as one along the face, and so constant accelerations.
-    bool slipStraight(const Vec3 &slip) {
+    void slipStraight(const Vec3 &slip) {
         const double B = m_ball.params().sliding_friction * m_pull.pressure, R = m_ball.radius();
         m_slipping = hat(slip);
         Vec3 a = m_level - B * m_slipping;
         a[m_rests] = 0.0;
         const Uniform phase{m_ball.motion.velocity, a, m_spin, -kInertia / R * glm::cross(kUp, -B * m_slipping)};
         const Vec3 rate = a - R * glm::cross(phase.spinAcceleration, kUp);
-        if (!isCollinear(slip, rate)) return false;
+        if (!isCollinear(slip, rate)) return;
         const double slows = -glm::dot(rate, slip);
         const End end = slows > 0.0 ? End{glm::dot(slip, slip) / slows, Cause::grip, 0} : End();
         const int along = 1 - m_rests;
         const double rolling = phase.velocity[along] - 2.0 / 7.0 * slip[along] + 5.0 / 7.0 * end.after * m_level[along];
-        return (!(end.after < m_ball.left) || std::abs(rolling) > kUnsure * speedScale(m_ball.moment())) &&
-               runOn(phase, end);
+        if (!(end.after < m_ball.left) || std::abs(rolling) > kUnsure * speedScale(m_ball.moment())) runOn(phase, end);
     }
 
     /// An impact on a face of the region.
@@ -161,18 +170,18 @@ private:
 
     /// Follows a phase to an impact, to its own end or to the end of the step.
     template<class Phase>
-    bool runOn(const Phase &phase, const End &own) {
+    void runOn(const Phase &phase, const End &own) {
         const double until = std::min(own.after, m_ball.left);
         Hit hit;
-        if (!findHit(phase, until, hit)) return false;
+        if (!findHit(phase, until, hit)) return;
         const bool hits = hit.after < until, ends = !hits && own.after < m_ball.left;
-        if (ends && own.cause != Cause::grip && own.cause != Cause::time) return false;
         const double end = hits ? hit.after : until;
         if (end > 0.0) follow(phase, end);
         if (ends && own.cause == Cause::grip) return grip(own, phase.mostAcceleration());
-        if (!hits) return true;
+        if (ends && own.cause == Cause::stop) return stop(phase.spinAt(end));
+        if (!hits) return;
         countHop(kHopCount, end, m_ball);
-        return bounce(hit);
+        bounce(hit);
     }
 
     /// Bounds of the ball's coordinates.
@@ -273,16 +282,16 @@ private:
         return squaredDistance(m_ball.scene().boxes[box], m_ball.position) <= reach * reach;
     }
 
-    /// False if the face isn't reached, another contact is near or this may be the last bounce.
-    bool bounce(const Hit &hit) {
+    /// Unless the face isn't reached, another contact is near or this may be the last bounce.
+    void bounce(const Hit &hit) {
         m_ball.work.add(Work::kEvent);
         const int other = 1 - hit.axis;
-        if (!touches(hit.box) || (other != m_rests && !range(other).isFree(m_ball.position[other]))) return false;
+        if (!touches(hit.box) || (other != m_rests && !range(other).isFree(m_ball.position[other]))) return;
         const Contact face = contactAtFace(m_ball.setting, m_ball.position, hit.box, hit.axis, hit.side);
         const Motion before = m_ball.motion;
         const double R = m_ball.radius(), approach = -glm::dot(before.velocity, face.normal);
         const double after = face.restitution * approach;
-        if (face.friction > 0.0 || !(after * after > squareOfLeastSpeed())) return false;
+        if (face.friction > 0.0 || !(after * after > squareOfLeastSpeed())) return;
         Motion &motion = m_ball.motion;
         motion.velocity += (1.0 + face.restitution) * approach * face.normal;
         report(face, before);
@@ -293,7 +302,6 @@ private:
             motion.spin = rolls;
         }
         m_ball.position[hit.axis] = face.point[hit.axis] + hit.side * R;
-        return true;
     }
 
     void report(const Contact &face, const Motion &before) {
@@ -305,8 +313,8 @@ private:
                      glm::dot(m_ball.motion.velocity, face.normal));
     }
 
-    /// The end of a slip. False if another face is near.
-    bool grip(const End &end, double mostAcceleration) {
+    /// The end of a slip.
+    void grip(const End &end, double mostAcceleration) {
         Motion &motion = m_ball.motion;
         if (m_ball.waits(end, mostAcceleration)) {
             const double passed = std::min(end.rest, m_ball.left);
@@ -319,10 +327,19 @@ private:
         m_ball.roll();
         m_ball.event(PHYS_EVENT_ROLL, before, glm::length(motion.velocity));
         m_ball.work.add(Work::kEvent);
-        if (m_rests == kNone) return range(0).isFree(m_ball.position.x) && range(1).isFree(m_ball.position.y);
+        if (m_rests == kNone) return;
         motion.velocity[m_rests] = 0.0;
         m_ball.roll();
-        return true;
+    }
+
+    /// Resistance has stopped the ball.
+    void stop(const Vec3 &spin) {
+        Motion &motion = m_ball.motion;
+        m_ball.event(PHYS_EVENT_STOP, glm::length(motion.velocity), 0.0);
+        motion = {Vec3(0.0), glm::dot(spin, kUp) * kUp};
+        if (m_ball.radius() * glm::length(motion.spin) <= 4e-13 * speedScale(m_ball.moment())) motion.spin = Vec3(0.0);
+        m_ball.roll();
+        m_ball.work.add(Work::kEvent);
     }
 
     template<class Phase>
