@@ -7,6 +7,10 @@ namespace {
 
 constexpr size_t kOldFutureIntervals = 4000; ///< that its points divide the time into
 
+std::shared_ptr<const std::vector<Sample>> kept(std::vector<Sample> samples) {
+    return std::make_shared<const std::vector<Sample>>(std::move(samples));
+}
+
 } // namespace
 
 bool RunHistory::isOldestCut(const HistoryPlace &kept) const {
@@ -14,8 +18,10 @@ bool RunHistory::isOldestCut(const HistoryPlace &kept) const {
 }
 
 void RunHistory::follow(const Snapshot &now) {
-    if (now.run != m_oldFutureRun) m_oldFuture.clear();
-    std::erase_if(m_runs, [&](const KeptRun &run) { return run.end <= now.history.begin; });
+    const auto isGone = [&](const KeptRun &run) { return run.end <= now.history.begin; };
+    if (now.run != m_oldFutureRun && !m_oldFuture->empty()) m_oldFuture = kept({});
+    std::erase_if(m_runs, isGone);
+    if (m_beside && isGone(m_beside->run)) m_beside.reset();
 }
 
 void RunHistory::update(const KeptRun &live) {
@@ -29,10 +35,10 @@ void RunHistory::update(const KeptRun &live) {
 }
 
 void RunHistory::keepFuture(uint64_t place, const Snapshot &now, const SampleRing &samples) {
-    m_oldFuture.clear();
+    m_oldFuture = kept({});
     m_oldFutureRun = now.run;
     if (now.history.place != place) return; // not shown yet: the samples may belong to another run
-    m_oldFuture = samples.spread(samples.find(now.current.time), samples.last(), kOldFutureIntervals);
+    m_oldFuture = kept(samples.spread(samples.find(now.current.time), samples.last(), kOldFutureIntervals));
 }
 
 void RunHistory::continueFrom(uint64_t begin, std::vector<SettingsSpan> before) {

@@ -8,6 +8,8 @@
 #include "core/simulation/sample_ring.h"
 #include "core/simulation/snapshot.h"
 
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,10 +39,18 @@ public:
     /// live: the live run as it is now; `pace` and inputs only those of its last step.
     void update(const KeptRun &live);
 
-    /// What followed the moment that was last taken over, with fewer samples; until the next run.
-    const std::vector<Sample> &oldFuture() const { return m_oldFuture; }
+    /// What followed the moment that was last taken over, with fewer samples; until the next run. Never null.
+    const std::shared_ptr<const std::vector<Sample>> &oldFuture() const { return m_oldFuture; }
     /// place: the one that is taken over.
     void keepFuture(uint64_t place, const Snapshot &now, const SampleRing &samples);
+
+    /// A run that is compared with others: its steps, with fewer samples. Until it isn't kept any more.
+    struct Beside {
+        KeptRun run;
+        std::shared_ptr<const std::vector<Sample>> samples;
+    };
+    const std::optional<Beside> &beside() const { return m_beside; }
+    void layBeside(const std::optional<Beside> &run) { m_beside = run; }
 
     /// The run that will begin there continues another one, whose steps were made by these.
     void continueFrom(uint64_t begin, std::vector<SettingsSpan> before);
@@ -49,7 +59,8 @@ public:
 
 private:
     std::vector<KeptRun> m_runs;
-    std::vector<Sample> m_oldFuture;
+    std::shared_ptr<const std::vector<Sample>> m_oldFuture = std::make_shared<std::vector<Sample>>();
+    std::optional<Beside> m_beside;
     uint64_t m_oldFutureRun = 0; ///< run number in snapshots: discarded with the next run
     uint64_t m_continuation = 0; ///< begin of the last run that continues another one
     std::vector<SettingsSpan> m_before;

@@ -137,6 +137,15 @@ public:
     bool followTrack(bool isOn);
     bool isFollowingTrack() const { return m_followsTrack; }
 
+    // ---- a run of the history, laid beside the others ----
+
+    /// Compares this run, named by its begin, with any other of its maze; empty: none. A long one up to its first
+    /// 100,000 steps. Returns when it is repeated.
+    void layBeside(std::optional<uint64_t> begin);
+    /// What to show in pale colours beside the run shown: that run, or what followed the moment that was last taken
+    /// over. Never null; ascending times.
+    std::shared_ptr<const std::vector<Sample>> samplesBeside() const;
+
     // ---- the past: the history of what was played, which can be shown and taken over ----
 
     bool isInPast() const { return m_past.has_value(); }

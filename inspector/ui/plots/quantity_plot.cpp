@@ -153,9 +153,9 @@ void QuantityPlot::loadBesides(const QCPRange &) {
 /// Fits the axis to whole decades.
 void QuantityPlot::fitPowers() {
     QCPRange values(0.0, 0.0);
-    for (const Curve &curve : curves()) {
+    for (const QCPGraph *graph : graphs()) {
         bool hasValues = false;
-        const QCPRange range = curve.graph->getValueRange(hasValues, QCP::sdPositive, fittedTimes());
+        const QCPRange range = graph->getValueRange(hasValues, QCP::sdPositive, fittedTimes());
         if (hasValues) values = values.upper > 0.0 ? values.expanded(range) : range;
     }
     if (values.upper <= 0.0) return;
@@ -166,9 +166,9 @@ void QuantityPlot::fitPowers() {
 void QuantityPlot::fitSpan() {
     bool hasAny = false;
     QCPRange values(0.0, 0.0);
-    for (const Curve &curve : curves()) {
+    for (const QCPGraph *graph : graphs()) {
         bool hasValues = false;
-        const QCPRange range = curve.graph->getValueRange(hasValues, QCP::sdBoth, fittedTimes());
+        const QCPRange range = graph->getValueRange(hasValues, QCP::sdBoth, fittedTimes());
         if (hasValues) values = hasAny ? values.expanded(range) : range;
         hasAny = hasAny || hasValues;
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kSmallestSpan = 1e-9; ///< smallest span of values
 constexpr double kLargestSpan = 1e9;
-constexpr float kOldCurveAlpha = 0.35F;
+constexpr float kBesideAlpha = 0.35F;
 constexpr double kLeastStretch = 1e-3; ///< of a row: as high as it needs to be
 
 /// Limits the range, keeping its middle. A logarithmic axis is limited by its values.
@@ -162,7 +162,7 @@ void TimePlot::clearCurves() {
     for (const Curve &curve : m_curves) {
         removeItem(curve.dot);
         removePlottable(curve.graph);
-        if (curve.old) removePlottable(curve.old);
+        if (curve.beside) removePlottable(curve.beside);
     }
     m_curves.clear();
     m_longestReadOut = 0;
@@ -186,8 +186,8 @@ void TimePlot::takeColours() {
         curve.graph->setPen(QPen(colour, 1.5, curve.style));
         curve.dot->setPen(QPen(base, 1.0));
         curve.dot->setBrush(colour);
-        colour.setAlphaF(kOldCurveAlpha);
-        if (curve.old) curve.old->setPen(QPen(colour, 1.5, curve.style));
+        colour.setAlphaF(kBesideAlpha);
+        if (curve.beside) curve.beside->setPen(QPen(colour, 1.5, curve.style));
     }
     for (const Key &key : m_keys) key.graph->setPen(QPen(accents.*key.colour, 3.0));
     m_ticks->setColours(mixed(base, accents.selected, 0.7), accents.selected);
@@ -217,9 +217,9 @@ void TimePlot::refresh() {
     const std::optional<double> newest = newestTime();
     if (isFollowing() && !isPaused() && newest) m_time->follow(*newest, m_context.moment);
     xAxis->setRange(m_time->range());
-    for (const Curve &curve : m_curves) {
+    for (Curve &curve : m_curves) {
         load(curve);
-        loadOldFuture(curve);
+        loadBeside(curve);
     }
     loadBesides(shownTimes());
     fitLegend();
@@ -228,12 +228,21 @@ void TimePlot::refresh() {
     leaveOutLegend();
     if (m_fitsValues && newest) fitValues();
     m_fitsAtOnce = false;
-    for (const Curve &curve : m_curves)
-        for (QCPGraphData &point : *curve.graph->data()) point.value = drawn(point.value);
+    for (QCPGraph *graph : graphs())
+        for (QCPGraphData &point : *graph->data()) point.value = drawn(point.value);
     m_ticks->setRange(m_time->clearedAt(), m_time->pausedAt().value_or(newest.value_or(0.0)));
     updateReadOut();
     m_isStale = false;
     replot(QCustomPlot::rpQueuedReplot);
+}
+
+std::vector<QCPGraph *> TimePlot::graphs() const {
+    std::vector<QCPGraph *> graphs;
+    for (const Curve &curve : m_curves) {
+        graphs.push_back(curve.graph);
+        if (curve.beside) graphs.push_back(curve.beside);
+    }
+    return graphs;
 }
 
 QCPRange TimePlot::shownTimes() const {
@@ -265,13 +274,19 @@ void TimePlot::load(const Curve &curve) {
     curve.graph->data()->set(points, true);
 }
 
-void TimePlot::loadOldFuture(const Curve &curve) {
-    if (!curve.old) return;
+void TimePlot::loadBeside(Curve &curve) {
+    const bool hasAny = m_context.beside && !m_context.beside->empty();
+    if (!curve.beside && !hasAny) return;
+    if (!curve.beside) {
+        curve.beside = addGraph();
+        curve.beside->removeFromLegend();
+        takeColours();
+    }
     QVector<QCPGraphData> points;
-    if (m_context.oldFuture)
-        for (const Sample &sample : *m_context.oldFuture)
-            points.append(QCPGraphData(sample.time, drawn(plotted(sample[curve.channel]))));
-    curve.old->data()->set(points, true);
+    if (hasAny)
+        for (const Sample &sample : *m_context.beside)
+            points.append(QCPGraphData(sample.time, plotted(sample[curve.channel])));
+    curve.beside->data()->set(points, true);
 }
 
 void TimePlot::fitAgain() {
@@ -293,17 +308,8 @@ void TimePlot::showBounces(std::vector<double> times, std::optional<double> sele
 }
 
 void TimePlot::setContext(const RunContext &context) {
-    const bool hasFuture = context.oldFuture && !context.oldFuture->empty();
-    const bool hadFuture = m_context.oldFuture && !m_context.oldFuture->empty();
-    const bool isSame = context.moment == m_context.moment && context.left == m_context.left;
-    if (hasFuture == hadFuture && isSame) return;
+    if (context == m_context) return;
     m_context = context;
-    for (Curve &curve : m_curves) {
-        if (!hasFuture || curve.old) continue;
-        curve.old = addGraph();
-        curve.old->removeFromLegend();
-        takeColours();
-    }
     m_isStale = true;
 }
 

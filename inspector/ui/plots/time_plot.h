@@ -19,9 +19,10 @@ class ReadOutText;
 
 /// What is drawn in addition to a run's own samples, and which of these matter.
 struct RunContext {
-    const std::vector<Sample> *oldFuture = nullptr; ///< the discarded future, after the past was taken over; or nullptr
-    std::optional<double> moment;                   ///< the moment shown in the past, s
-    std::optional<double> left;                     ///< s, when the ball left the maze; it falls then
+    std::shared_ptr<const std::vector<Sample>> beside; ///< another run, drawn pale; or nullptr
+    std::optional<double> moment;                      ///< the moment shown in the past, s
+    std::optional<double> left;                        ///< s, when the ball left the maze; it falls then
+    bool operator==(const RunContext &) const = default;
 };
 
 /// Channels of a sample ring over time; loads only what is visible. Subclasses define which channels are shown and how.
@@ -62,7 +63,7 @@ protected:
         QColor Accents::*colour;
         Qt::PenStyle style;
         QCPGraph *graph;
-        QCPGraph *old;      ///< curve of the discarded future
+        QCPGraph *beside;   ///< that of the other run
         QCPItemTracer *dot; ///< on the sample under the cursor
     };
 
@@ -70,6 +71,7 @@ protected:
     TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QWidget *parent);
     void addCurve(Channel channel, QColor Accents::*colour, Qt::PenStyle style = Qt::SolidLine);
     void clearCurves();
+    std::vector<QCPGraph *> graphs() const;    ///< of the curves, and of the other run's
     QCPGraph *addKey(QColor Accents::*colour); ///< a legend entry without a curve
     const std::vector<Curve> &curves() const { return m_curves; }
     bool fitsAtOnce() const { return m_fitsAtOnce; }
@@ -114,7 +116,7 @@ private:
     std::optional<double> newestTime() const;
     QCPRange shownTimes() const; ///< may be empty: then the end precedes the beginning
     void load(const Curve &curve);
-    void loadOldFuture(const Curve &curve);
+    void loadBeside(Curve &curve);
     void updateReadOut();
     int leftMargin() const;       ///< pixels
     int roomBesideLegend() const; ///< pixels

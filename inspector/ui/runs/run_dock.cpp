@@ -8,8 +8,11 @@
 #include "ui/game/game_strip.h"
 #include "ui/parts/empty_text.h"
 
+#include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMenu>
+#include <QSignalBlocker>
 
 #include <algorithm>
 
@@ -21,6 +24,9 @@ bool isEnter(const QKeyEvent &event) { return event.key() == Qt::Key_Return || e
 
 constexpr int kEndRole = Qt::UserRole;       ///< in the first column: the run's last place
 constexpr int kBeginRole = Qt::UserRole + 1; ///< the same: where it begins, which identifies it
+
+uint64_t beginOf(const QTreeWidgetItem &item) { return item.data(0, kBeginRole).toULongLong(); }
+uint64_t endOf(const QTreeWidgetItem &item) { return item.data(0, kEndRole).toULongLong(); }
 
 /// Lists each of them once, in the order of their first use.
 QString listed(QStringList texts) {
@@ -103,22 +109,26 @@ RunDock::RunDock(Session &session, QWidget *parent)
     setAlternatingRowColors(true);
     setUniformRowHeights(true);
     setHeaderLabels({tr("Level"), tr("Stepper"), tr("Time step"), tr("Time"), tr("Result"), tr("Parameters")});
-    setToolTip(tr("Double click or Enter: see the run again"));
+    setToolTip(tr("Double click or Enter: see the run again. Tick one to see it pale beside the others."));
     new EmptyText(*this,
                   tr("No run yet. Every start, restart and change of the past begins one, and all are kept here."));
     header()->setSectionsMovable(false);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     connect(this, &QTreeWidget::itemDoubleClicked, this, [this](const QTreeWidgetItem *item) { goTo(item); });
+    connect(this, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem *item, int column) {
+        if (column == 0) layBeside(beginOf(*item), item->checkState(0) == Qt::Checked);
+    });
 }
 
 void RunDock::refresh() {
     if (!isVisible()) return;
+    const QSignalBlocker blocker(this); // what changes here isn't the user's
     const std::vector<KeptRun> &runs = m_session.history().runs();
     const uint64_t live = m_session.simulation().latest().history.run; // where it begins
     const RunPlace shown = m_session.runPlace();
     // A run keeps its item, and so the selection: the oldest go at the end, new ones come first.
     const auto oldest = [this] { return topLevelItem(topLevelItemCount() - 1); };
-    while (oldest() && (runs.empty() || oldest()->data(0, kBeginRole).toULongLong() < runs.front().begin))
+    while (oldest() && (runs.empty() || beginOf(*oldest()) < runs.front().begin))
         delete takeTopLevelItem(topLevelItemCount() - 1);
     while (topLevelItemCount() < int(runs.size())) insertTopLevelItem(0, new QTreeWidgetItem);
     for (size_t i = 0; i < runs.size(); ++i) {
@@ -129,12 +139,33 @@ void RunDock::refresh() {
             if (item->text(column) != texts[column]) item->setText(column, texts[column]);
         const bool isShown = !m_session.isReplaying() && run.begin < shown.end && shown.begin < run.end;
         markShown(*item, isShown);
+        const bool isBeside = m_session.history().beside() && m_session.history().beside()->run.begin == run.begin;
+        item->setCheckState(0, isBeside ? Qt::Checked : Qt::Unchecked);
         item->setData(0, kEndRole, qulonglong(run.end));
         item->setData(0, kBeginRole, qulonglong(run.begin));
     }
 }
 
-void RunDock::goTo(const QTreeWidgetItem *item) { m_session.lookAt(item->data(0, kEndRole).toULongLong()); }
+void RunDock::goTo(const QTreeWidgetItem *item) { m_session.lookAt(endOf(*item)); }
+
+void RunDock::layBeside(uint64_t begin, bool isOn) {
+    m_session.layBeside(isOn ? std::optional(begin) : std::nullopt);
+    refresh();
+}
+
+void RunDock::contextMenuEvent(QContextMenuEvent *event) {
+    const bool isByKey = event->reason() == QContextMenuEvent::Keyboard;
+    const QTreeWidgetItem *item = isByKey ? currentItem() : itemAt(event->pos());
+    if (!item) return;
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("See this run again"), this, [this, end = endOf(*item)] { m_session.lookAt(end); });
+    QAction *beside = menu->addAction(tr("Show it pale beside the others"));
+    beside->setCheckable(true);
+    beside->setChecked(item->checkState(0) == Qt::Checked);
+    connect(beside, &QAction::toggled, this, [this, begin = beginOf(*item)](bool isOn) { layBeside(begin, isOn); });
+    menu->popup(isByKey ? viewport()->mapToGlobal(visualItemRect(item).bottomLeft()) : event->globalPos());
+}
 
 /// Enter is the window's otherwise.
 bool RunDock::event(QEvent *event) {

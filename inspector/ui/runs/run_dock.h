@@ -7,7 +7,8 @@
 
 namespace inspector::ui {
 
-/// The runs in the history, newest first: level, stepper, time, how it ended. Enter or a double click returns to one.
+/// The runs in the history, newest first: level, stepper, time, how it ended, parameters. Enter or a double click
+/// returns to one; the one that is ticked, or chosen in the menu, is laid beside the others.
 class RunDock : public QTreeWidget {
     Q_OBJECT
 
@@ -22,9 +23,11 @@ public:
 protected:
     bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
     void goTo(const QTreeWidgetItem *item);
+    void layBeside(uint64_t begin, bool isOn);
 
     Session &m_session;
 };

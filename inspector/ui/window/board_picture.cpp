@@ -106,16 +106,26 @@ void addTrack(gl::Frame &frame, const ShownTrack &track, const phys_scene *scene
     frame.trails.push_back(std::move(lately));
 }
 
-/// The path that the ball had taken before the past was taken over.
-void addOldFuture(gl::Frame &frame, const std::vector<Sample> &samples) {
+glm::dvec3 positionOf(const Sample &sample) {
+    return {sample[Channel::PositionX], sample[Channel::PositionY], sample[Channel::PositionZ]};
+}
+
+/// Another run: its path, and its ball while it has one at that time.
+void addBeside(gl::Frame &frame, const std::vector<Sample> &samples, double time) {
     if (samples.empty()) return;
     gl::Trail trail{{}, withAlpha(accentsFor(QGuiApplication::palette()).ball, kOldAlpha), kGhostTrailWidth};
     const size_t stride = samples.size() / kTrailPoints + 1;
     for (size_t i = samples.size(); i-- > 0;) // fades towards its far end
-        if (i % stride == 0)
-            trail.points.emplace_back(samples[i][Channel::PositionX], samples[i][Channel::PositionY],
-                                      samples[i][Channel::PositionZ]);
+        if (i % stride == 0) trail.points.push_back(positionOf(samples[i]));
     frame.trails.push_back(std::move(trail));
+    const auto next = std::ranges::lower_bound(samples, time, {}, &Sample::time);
+    if (next == samples.begin() || next == samples.end()) return;
+    const Sample &last = *std::prev(next);
+    const double share = (time - last.time) / (next->time - last.time);
+    gl::GhostBall ball{frame.ball, frame.trails.back().colour};
+    ball.ball.radius *= kGhostSize;
+    ball.ball.position = glm::mix(positionOf(last), positionOf(*next), share);
+    frame.ghosts.push_back(ball);
 }
 
 /// The path ahead, fading towards its far end.
@@ -141,7 +151,7 @@ gl::Frame currentFrame(Session &session) {
     frame.ball = ballOf(state, phys_scene_radius(session.scene().get()));
     frame.trails.push_back({pointsOf(samples, way), withAlpha(accentsFor(QGuiApplication::palette()).ball, kTrailAlpha),
                             now.ghost ? kBallTrailWidth : kTrailWidth});
-    addOldFuture(frame, session.history().oldFuture());
+    addBeside(frame, *session.samplesBeside(), state.time);
     if (session.track()) addTrack(frame, *session.track(), session.scene().get(), state.time);
     if (const auto ghost = interpolatedGhost(now, moment)) addGhost(frame, samples, *ghost, now.ghost->met.time);
     return frame;

@@ -254,7 +254,7 @@ void MainWindow::refresh() {
     m_bounces->refresh(); // first, as plots mark them
     const std::optional<double> moment = m_session.isInPast() ? std::optional(now.current.time) : std::nullopt;
     const std::optional<Departure> left = m_session.departure();
-    m_plots->refresh({&m_session.history().oldFuture(), moment, left ? std::optional(left->time) : std::nullopt});
+    m_plots->refresh({m_session.samplesBeside(), moment, left ? std::optional(left->time) : std::nullopt});
     emit refreshing(now);
     m_dockRoom->follow();
     if (m_session.isTiltedByPilot() && !m_session.isInPast()) m_parameters->showPilotsTilt(now.inputs.tilt);

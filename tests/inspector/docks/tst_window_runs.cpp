@@ -6,9 +6,13 @@
 #include "support/files.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/window/board_picture.h"
 #include "ui/window/save_run.h"
 #include "window_fixture.h"
 
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QFile>
 #include <QLabel>
 #include <QStatusBar>
@@ -36,6 +40,9 @@ private slots:
     void emptyListSaysWhatItWillHold();
     void parametersOfARunAreThoseThatArentInitial_data();
     void parametersOfARunAreThoseThatArentInitial();
+    void tickedRunIsShownBesideTheOthers();
+    void runIsTickedInItsMenuByKeys();
+    void runBesideIsOfItsMaze();
     void runShownIsMarked();
     void recordingWithoutStepsIsNotSaved_data();
     void recordingWithoutStepsIsNotSaved();
@@ -66,6 +73,7 @@ private:
     QString resultOf(int row);
     void restart();
     void goBack(uint64_t steps);
+    void tick(int row);
     void typeGravity(const QString &text);
     QByteArray textBesideTable();
 
@@ -98,6 +106,13 @@ void TestWindowRuns::goBack(uint64_t steps) {
     const uint64_t place = m_fixture->simulation().latest().current.step - steps;
     for (uint64_t i = 0; i < steps; ++i) m_fixture->press(Qt::Key_Comma);
     QTRY_COMPARE(m_fixture->simulation().latest().current.step, place);
+}
+
+// Clicks its box.
+void TestWindowRuns::tick(int row) {
+    auto *runs = m_fixture->find<QTreeWidget>("runs");
+    const QRect place = runs->visualItemRect(runs->topLevelItem(row));
+    QTest::mouseClick(runs->viewport(), Qt::LeftButton, {}, {place.left() + place.height() / 2, place.center().y()});
 }
 
 void TestWindowRuns::typeGravity(const QString &text) {
@@ -192,6 +207,57 @@ void TestWindowRuns::parametersOfARunAreThoseThatArentInitial() {
     m_fixture->makeSteps(5);
     m_fixture->window().refresh();
     QCOMPARE(m_fixture->find<QTreeWidget>("runs")->topLevelItem(0)->text(5), expected);
+}
+
+void TestWindowRuns::tickedRunIsShownBesideTheOthers() {
+    m_fixture->parameters().set({{QStringLiteral("tilt_x"), 3.0}});
+    restart();
+    m_fixture->makeSteps(40);
+    m_fixture->window().refresh();
+    restart();
+    m_fixture->makeSteps(10);
+    m_fixture->window().refresh();
+    tick(1);
+    const auto *plot = m_fixture->find<inspector::ui::PlotStack>("plots");
+    QVERIFY(m_fixture->session().history().beside());
+    const auto samples = m_fixture->session().samplesBeside();
+    QCOMPARE(samples->size(), size_t(40));
+    QCOMPARE(samples->back().time, 0.4);
+    const inspector::gl::Frame frame = inspector::ui::currentFrame(m_fixture->session());
+    QCOMPARE(frame.ghosts.size(), size_t(1)); // where the ball is, too: all else was the same
+    QVERIFY(glm::distance(frame.ghosts[0].ball.position, frame.ball.position) < 1e-12);
+    m_fixture->trigger("show_plot_dock");
+    m_fixture->window().refresh();
+    const QCustomPlot &first = const_cast<inspector::ui::PlotStack *>(plot)->first();
+    QCOMPARE(first.graph(first.graphCount() - 1)->dataCount(), 40);
+    m_fixture->trigger("show_runs_dock");
+    tick(1);
+    QVERIFY(!m_fixture->session().history().beside() && m_fixture->session().samplesBeside()->empty());
+}
+
+void TestWindowRuns::runIsTickedInItsMenuByKeys() {
+    restart();
+    m_fixture->makeSteps(5);
+    m_fixture->window().refresh();
+    auto *runs = m_fixture->find<QTreeWidget>("runs");
+    runs->setCurrentItem(runs->topLevelItem(1));
+    runs->setFocus();
+    QContextMenuEvent asked(QContextMenuEvent::Keyboard, {}, {});
+    QCoreApplication::sendEvent(runs->viewport(), &asked);
+    QTRY_VERIFY(QApplication::activePopupWidget());
+    m_fixture->key(Qt::Key_Up);
+    m_fixture->key(Qt::Key_Return);
+    QCOMPARE(runs->topLevelItem(1)->checkState(0), Qt::Checked);
+    QCOMPARE(runs->topLevelItem(0)->checkState(0), Qt::Unchecked);
+}
+
+void TestWindowRuns::runBesideIsOfItsMaze() {
+    tick(0);
+    QVERIFY(!m_fixture->session().samplesBeside()->empty());
+    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().listed()[1]));
+    QVERIFY(m_fixture->session().samplesBeside()->empty());
+    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().listed()[0]));
+    QCOMPARE(m_fixture->session().samplesBeside()->size(), size_t(30));
 }
 
 void TestWindowRuns::runShownIsMarked() {

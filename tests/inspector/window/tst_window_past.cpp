@@ -197,8 +197,8 @@ void TestWindowPast::typedParameterTakesOver() {
     QTRY_COMPARE(m_fixture->simulated("gravity"), 3.0);
     QTRY_VERIFY(isAt(place));
     const inspector::SampleRing &samples = m_fixture->simulation().samples();
-    QTRY_COMPARE(samples.last() - samples.first(), place);         // the rest isn't this run's
-    QVERIFY(session().history().oldFuture().size() >= 40 - place); // but is remembered
+    QTRY_COMPARE(samples.last() - samples.first(), place);          // the rest isn't this run's
+    QVERIFY(session().history().oldFuture()->size() >= 40 - place); // but is remembered
     const phys_state before = m_states[place];
     makeSteps(1);
     QCOMPARE(now().current.step, place + 1);
