@@ -112,12 +112,16 @@ void keepEdges(const Touching &touching, const Response &response, MovingBall &b
     }
 }
 
-/// Puts the ball on the border that it has reached, and on another one that it has reached at the same time.
+/// Puts the ball on the border that it has reached, and on another one that it has reached at the same time. A search
+/// that took too many looks ends before it: then the next phase goes on from there.
 void keepBorders(const Border &border, MovingBall &ball) {
+    constexpr double kReached = 64.0; // tolerances
+    const double tolerance = ball.scene().tolerance;
+    if (std::abs(ball.position[border.axis] - border.coordinate) > kReached * tolerance) return;
     ball.position[border.axis] = border.coordinate;
     for (int axis = 0; axis < 3; ++axis) {
         for (const double end : {(&border.box.min.x)[axis], (&border.box.max.x)[axis]}) {
-            if (std::abs(ball.position[axis] - end) <= ball.scene().tolerance) ball.position[axis] = end;
+            if (std::abs(ball.position[axis] - end) <= tolerance) ball.position[axis] = end;
         }
     }
 }

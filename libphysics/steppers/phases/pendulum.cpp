@@ -62,13 +62,15 @@ Way Pendulum::at(double t) const {
             inSpace(R / m_reach.unit * m_rate.at(s) * quarterTurn(m_start + way), speed + m_acceleration * t)};
 }
 
-/// The acceleration changes by at most 3 g w per time.
+/// The acceleration changes by at most 3 g w per time, and w is largest at one of the ends: the ball is slowest where
+/// it turns round or passes the top.
 double Pendulum::least(const Vec3 &n, double, double t, double until) const {
     const double s = t / m_reach.unit, rate = m_rate.at(s);
+    const double fastest = std::max(std::abs(rate), std::abs(m_rate.at(until / m_reach.unit)));
     const Vec2 normal = m_start + m_turned.at(s), tangent = quarterTurn(normal), along = across(n);
     const Vec2 acceleration = m_pull * (glm::dot(m_down, tangent) * tangent - rate * rate * normal);
     return glm::dot(along, acceleration) + n[m_axis] * m_acceleration -
-           3.0 * m_pull * glm::length(along) * (until - t) / m_reach.unit;
+           3.0 * m_pull * glm::length(along) * fastest * (until - t) / m_reach.unit;
 }
 
 /// By the conservation of energy the pressure changes by -3 g.(n - n0).

@@ -33,6 +33,7 @@ private slots:
     void spinsInACornerHoweverLittleItsWallsRub_data();
     void spinsInACornerHoweverLittleItsWallsRub();
     void pivotsOverTheBoardsEdgeAndLeavesIt();
+    void fallsOffAnEdgeOnWhichItIsNearlyBalanced();
     void resistanceHoldsItBesideRoughWalls_data();
     void resistanceHoldsItBesideRoughWalls();
     void rollingOnRoundingItSpinsAgainstARoughWall_data();
@@ -192,6 +193,17 @@ void ExactBoxes::pivotsOverTheBoardsEdgeAndLeavesIt() {
         const double expected = isRough ? (10.0 + 7.0 * share) / 17.0 : (2.0 + share) / 3.0;
         // However rough the edge, it holds the ball only while the ball presses on it: the ball slips shortly before.
         QVERIFY(std::abs(left[0].normal.z - expected) <= (isRough ? 2e-5 : 4.0 * kU / R));
+    }
+}
+
+void ExactBoxes::fallsOffAnEdgeOnWhichItIsNearlyBalanced() {
+    const double R = 0.0078125, gn = 9.75, time = 0.125, times = std::cosh(time * std::sqrt(gn / R));
+    for (const double off : {1e-14, 1e-12, 1e-10, 1e-9, 5e-9, 1e-8, 1e-6}) {
+        Run run({exact::floorOver(-1, -1, 0, 1)}, R, {off, 0, R});
+        run.params.gravity = {0, 0, -gn};
+        run.step(time);
+        const double angle = off * times / R; // the law of small ones errs by its square
+        QVERIFY(std::abs(run.state.position.x - off * times) <= (1e-9 + angle * angle) * off * times);
     }
 }
 
