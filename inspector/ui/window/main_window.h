@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/session.h"
+#include "ui/parts/path_icon.h"
 
 #include <QHash>
 #include <QList>
@@ -9,6 +10,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -83,11 +85,19 @@ protected:
     void dropEvent(QDropEvent *event) override;
 
 private:
-    struct ActionRow;
+    struct ActionRow {
+        const char *name;
+        const char *text;
+        const char *keys; ///< as in QKeySequence, "; " between several
+        const char *tip;
+        void (MainWindow::*run)();
+        std::optional<Glyph> glyph = {};
+    };
     struct DockRow;
     static const std::vector<ActionRow> &actionRows();
     static std::vector<ActionRow> fileRows();
     static std::vector<ActionRow> viewRows();
+    static std::vector<ActionRow> cameraRows();
     static std::vector<ActionRow> runRows();
     static std::vector<ActionRow> ghostRows();
     static std::vector<ActionRow> helpRows();
@@ -111,7 +121,6 @@ private:
     void makeMenus();
     void addUndoActions(QMenu &menu);
     void addViewChoices(QMenu &menu);
-    void addCameraMoves(QMenu &menu);
     void addChoice(QMenu &menu, const char *name, const QStringList &texts, int (MainWindow::*chosen)() const,
                    void (MainWindow::*choose)(int));
     void connectSession();
@@ -189,6 +198,12 @@ private:
     void resetParameters();
     void resetLayout();
     void resetCamera();
+    void turnLeft();
+    void turnRight();
+    void lookFromHigher();
+    void lookFromLower();
+    void lookFromNearer();
+    void lookFromFarther();
     void lookFromAbove();
     void toggleFollowing();
     void toggleBounces();

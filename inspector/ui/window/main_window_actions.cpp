@@ -1,49 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Menus and their commands: one table of actions, and a few menus of choices.
-#include "core/setup/lines.h"
-#include "core/setup/stored_values.h"
+// The table of actions, and what most of them do.
 #include "gl/view/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
-#include "ui/comparison/comparison_dock.h"
-#include "ui/comparison/distance_plot.h"
-#include "ui/files/file_chooser.h"
 #include "ui/game/game_strip.h"
+#include "ui/help/help_dialogs.h"
 #include "ui/input/keyboard_focus.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parts/message_bar.h"
-#include "ui/parts/path_icon.h"
 #include "ui/parts/settings_keys.h"
-#include "ui/parts/theme.h"
-#include "ui/plots/plot_panel.h"
-#include "ui/plots/plot_stack.h"
-#include "ui/track/track_dock.h"
-#include "ui/trade/trade_dock.h"
 #include "ui/transport/time_bar.h"
-#include "ui/transport/transport_bar.h"
-#include "ui/window/help_dialogs.h"
 #include "ui/window/main_window.h"
 #include "ui/window/ruler.h"
-#include "ui/window/save_run.h"
 
-#include <QActionGroup>
+#include <QAction>
 #include <QDockWidget>
-#include <QMenu>
-#include <QMenuBar>
 #include <QUndoStack>
 
-#include <algorithm>
 #include <optional>
 
 namespace inspector::ui {
 
-struct MainWindow::ActionRow {
-    const char *name;
-    const char *text;
-    const char *keys; ///< as in QKeySequence, "; " between several
-    const char *tip;
-    void (MainWindow::*run)();
-    std::optional<Glyph> glyph = {};
-};
+namespace {
+constexpr double kCameraPixels = 20.0; ///< of a drag, per press of a key
+}
+
+;
 
 std::vector<MainWindow::ActionRow> MainWindow::fileRows() {
     return {
@@ -93,6 +74,17 @@ std::vector<MainWindow::ActionRow> MainWindow::viewRows() {
         {"next_part", QT_TR_NOOP("Keyboard to the next part"), "F6",
          QT_TR_NOOP("From the board to the docks that are open, and back"), &MainWindow::goToNextPart},
         {"previous_part", QT_TR_NOOP("Keyboard to the part before"), "Shift+F6", "", &MainWindow::goToPartBefore},
+    };
+}
+
+std::vector<MainWindow::ActionRow> MainWindow::cameraRows() {
+    return {
+        {"camera_left", QT_TR_NOOP("Camera: turn the board left"), "Alt+Left", "", &MainWindow::turnLeft},
+        {"camera_right", QT_TR_NOOP("Camera: turn the board right"), "Alt+Right", "", &MainWindow::turnRight},
+        {"camera_higher", QT_TR_NOOP("Camera: higher"), "Alt+Up", "", &MainWindow::lookFromHigher},
+        {"camera_lower", QT_TR_NOOP("Camera: lower"), "Alt+Down", "", &MainWindow::lookFromLower},
+        {"camera_nearer", QT_TR_NOOP("Camera: nearer"), "Alt++; Alt+=", "", &MainWindow::lookFromNearer},
+        {"camera_farther", QT_TR_NOOP("Camera: farther"), "Alt+-", "", &MainWindow::lookFromFarther},
     };
 }
 
@@ -155,7 +147,7 @@ std::vector<MainWindow::ActionRow> MainWindow::helpRows() {
 const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
     static const std::vector<ActionRow> rows = [] {
         std::vector<ActionRow> all;
-        for (const auto &part : {fileRows(), viewRows(), runRows(), ghostRows(), helpRows()})
+        for (const auto &part : {fileRows(), viewRows(), cameraRows(), runRows(), ghostRows(), helpRows()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();
@@ -186,173 +178,6 @@ void MainWindow::makeActions() {
     m_showsBounces = action("bounces");
     m_showsBounces->setCheckable(true);
     m_showsBounces->setChecked(m_session.settings().value(settings_keys::kShowBounces, true).toBool());
-}
-
-void MainWindow::makeMenus() {
-    struct MenuRow {
-        const char *title;
-        std::vector<const char *> actions; // "" is a separator
-    };
-    const MenuRow rows[] = {
-        {QT_TR_NOOP("&File"),
-         {"open", "open_recording", "open_track", "close_recording", "", "load_plugin", "", "save_run", "save_film",
-          "save_plot", "screenshot", "record", "", "quit"}},
-        {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
-        {QT_TR_NOOP("&View"),
-         {"", "camera_reset", "camera_top", "camera_follow", "", "bounces", "way_ahead", "others_ahead", "",
-          "next_part", "previous_part"}},
-        {QT_TR_NOOP("&Game"),
-         {"play",
-          "",
-          "run",
-          "restart",
-          "",
-          "step",
-          "step_back",
-          "bounce_back",
-          "bounce_on",
-          "to_start",
-          "end",
-          "go_on",
-          "",
-          "autopilot",
-          "",
-          "compare",
-          "meet_again",
-          "ghost_parameters",
-          "copy_to_ghost",
-          "swap_with_ghost"}},
-        {QT_TR_NOOP("&Help"), {"keys", "page_inspector", "page_model", "page_accuracy", "", "about"}},
-    };
-    std::vector<QMenu *> menus;
-    for (const MenuRow &row : rows) {
-        QMenu *menu = menuBar()->addMenu(tr(row.title));
-        menus.push_back(menu);
-        for (const char *name : row.actions) {
-            if (*name) menu->addAction(action(name));
-            if (!*name) menu->addSeparator();
-        }
-    }
-    addRecent(*menus[0]);
-    addUndoActions(*menus[1]);
-    addViewChoices(*menus[2]);
-}
-
-void MainWindow::addUndoActions(QMenu &menu) {
-    QAction *undo = m_undo->createUndoAction(this);
-    QAction *redo = m_undo->createRedoAction(this);
-    undo->setShortcuts(QKeySequence::Undo);
-    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-    menu.insertActions(menu.actions().constFirst(), {undo, redo});
-    addActions({undo, redo}); // so that they are listed with the others
-}
-
-void MainWindow::addViewChoices(QMenu &menu) {
-    QAction *const first = menu.actions().constFirst();
-    for (const QDockWidget *dock : findChildren<QDockWidget *>())
-        menu.insertAction(first, findChild<QAction *>(QStringLiteral("show_") + dock->objectName()));
-    menu.insertAction(first, m_transport->toggleViewAction());
-    menu.insertAction(first, action("reset_layout"));
-
-    menu.addSeparator();
-    addCameraMoves(*menu.addMenu(tr("Move the camera")));
-    addChoice(*menu.addMenu(tr("Quality")), "quality", {tr("What comes in time"), tr("Low"), tr("Medium"), tr("High")},
-              &MainWindow::quality, &MainWindow::chooseQuality);
-    addChoice(*menu.addMenu(tr("Size of saved pictures")), "picture_scale",
-              {tr("As the view"), tr("2 times"), tr("3 times"), tr("4 times")}, &MainWindow::pictureScale,
-              &MainWindow::choosePictureScale);
-    addChoice(*menu.addMenu(tr("Text size")), "text_size",
-              {tr("As the system"), tr("Larger"), tr("Large"), tr("Double")}, &MainWindow::textSize,
-              &MainWindow::chooseTextSize);
-    addChoice(*menu.addMenu(tr("Theme")), "theme", {tr("As the system"), tr("Light"), tr("Dark")}, &MainWindow::theme,
-              &MainWindow::chooseTheme);
-}
-
-/// What drags and the wheel do, by keys.
-void MainWindow::addCameraMoves(QMenu &menu) {
-    constexpr double kPixels = 20.0;
-    struct MoveRow {
-        const char *name, *text, *keys;
-        QPointF drag;
-        double zoom;
-    };
-    const MoveRow rows[] = {
-        {"camera_left", QT_TR_NOOP("Camera: turn the board left"), "Alt+Left", {-kPixels, 0.0}, 0.0},
-        {"camera_right", QT_TR_NOOP("Camera: turn the board right"), "Alt+Right", {kPixels, 0.0}, 0.0},
-        {"camera_higher", QT_TR_NOOP("Camera: higher"), "Alt+Up", {0.0, kPixels}, 0.0},
-        {"camera_lower", QT_TR_NOOP("Camera: lower"), "Alt+Down", {0.0, -kPixels}, 0.0},
-        {"camera_nearer", QT_TR_NOOP("Camera: nearer"), "Alt++; Alt+=", {}, 1.0},
-        {"camera_farther", QT_TR_NOOP("Camera: farther"), "Alt+-", {}, -1.0},
-    };
-    for (const MoveRow &row : rows) {
-        QAction *move = menu.addAction(tr(row.text));
-        move->setObjectName(QLatin1String(row.name));
-        move->setShortcuts(QKeySequence::listFromString(QLatin1String(row.keys)));
-        connect(move, &QAction::triggered, this, [this, drag = row.drag, zoom = row.zoom] {
-            m_view->orbit(drag);
-            m_view->zoom(zoom, QRectF(m_view->rect()).center());
-        });
-        addAction(move);
-    }
-}
-
-void MainWindow::addChoice(QMenu &menu, const char *name, const QStringList &texts, int (MainWindow::*chosen)() const,
-                           void (MainWindow::*choose)(int)) {
-    auto *group = new QActionGroup(&menu);
-    for (int i = 0; i < texts.size(); ++i) {
-        QAction *choice = group->addAction(texts[i]);
-        choice->setObjectName(QStringLiteral("%1_%2").arg(QLatin1String(name)).arg(i));
-        choice->setCheckable(true);
-        connect(choice, &QAction::triggered, this, [this, choose, i] { (this->*choose)(i); });
-        menu.addAction(choice);
-    }
-    connect(&menu, &QMenu::aboutToShow, this,
-            [this, group, chosen] { group->actions()[(this->*chosen)()]->setChecked(true); });
-}
-
-/// The quality menu's choice; 0: automatic.
-int MainWindow::quality() const {
-    const auto set = storedChoice(m_session.settings(), settings_keys::kQuality, gl::kQualityCount);
-    return set ? *set + 1 : 0;
-}
-
-int MainWindow::pictureScale() const {
-    return std::clamp(m_session.settings().value(settings_keys::kPictureScale, 1).toInt(), 1, 4) - 1;
-}
-
-void MainWindow::choosePictureScale(int number) {
-    m_session.settings().setValue(settings_keys::kPictureScale, number + 1);
-}
-
-int MainWindow::textSize() const {
-    return storedChoice(m_session.settings(), settings_keys::kTextSize, int(kTextScales.size())).value_or(0);
-}
-
-void MainWindow::chooseTextSize(int number) {
-    m_session.settings().setValue(settings_keys::kTextSize, number);
-    applyTextScale(kTextScales[size_t(number)]);
-}
-
-int MainWindow::theme() const {
-    return storedChoice(m_session.settings(), settings_keys::kTheme, kThemeCount).value_or(int(Theme::System));
-}
-
-void MainWindow::chooseQuality(int number) {
-    if (number == 0)
-        m_session.settings().remove(settings_keys::kQuality);
-    else
-        m_session.settings().setValue(settings_keys::kQuality, number - 1);
-    useQuality();
-}
-
-void MainWindow::useQuality() {
-    const int chosen = quality();
-    m_view->setQuality(chosen == 0 ? std::nullopt : std::optional(gl::Quality(chosen - 1)));
-}
-
-void MainWindow::chooseTheme(int number) {
-    m_session.settings().setValue(settings_keys::kTheme, number);
-    applyTheme(Theme(number));
 }
 
 void MainWindow::closeRecording() { m_session.closeRecording(); }
@@ -399,106 +224,6 @@ void MainWindow::sayTheBallIsBack() { sayOfTheBall(tr("The ball is back where it
 /// Where the ball goes on from another state, so does the ghost.
 void MainWindow::sayOfTheBall(const QString &line) {
     sayBriefly(m_session.comparison().isOn() ? tr("%1; the ghost starts at the ball again").arg(line) : line);
-}
-
-void MainWindow::saveRun() {
-    const QString again = m_session.isReplaying() ? QString() : tr("Recording that repeats it (*.rec);;");
-    const QString filter = again + tr("Table of all samples (*.csv);;Picture of the view (*.png)");
-    chooseFile(*this, m_session.settings(), {tr("Save run"), filter, tr("run"), FileUse::Write},
-               [this](const QString &path) {
-                   QString error;
-                   if (ui::saveRun(m_session, *m_view, path, &error)) error = remarkOnSaved(m_session, path);
-                   showSaved(path, error);
-               });
-}
-
-/// The one that is seen: their docks lie behind each other.
-void MainWindow::savePlot() {
-    const auto isSeen = [](const QWidget *widget) { return !widget->visibleRegion().isEmpty(); };
-    if (isSeen(&m_plots->first())) return saveCurves(); // the stack itself is covered by its plots
-    if (isSeen(m_comparison)) return saveDistance();
-    if (isSeen(m_trade)) return saveTrade();
-    if (isSeen(m_track)) return saveFit();
-    saveCurves();
-}
-
-void MainWindow::saveDistance() {
-    askWhereToSavePlot(tr("distance"), m_comparison->plot().time(),
-                       [this](const QString &path, QString *error) { return m_comparison->plot().save(path, error); });
-}
-
-void MainWindow::saveTrade() {
-    const QString filter = tr("Table of all settings (*.csv);;Picture (*.png);;Document (*.pdf);;Drawing (*.svg)");
-    chooseFile(*this, m_session.settings(), {tr("Save trade"), filter, tr("trade"), FileUse::Write},
-               [this](const QString &path) {
-                   QString error;
-                   m_trade->save(path, &error);
-                   showSaved(path, error);
-               });
-}
-
-void MainWindow::saveFit() {
-    const QString filter = tr("Table of the residuals (*.csv);;Picture (*.png);;Document (*.pdf)");
-    chooseFile(*this, m_session.settings(), {tr("Save fit"), filter, tr("fit"), FileUse::Write},
-               [this](const QString &path) {
-                   QString error;
-                   m_track->save(path, &error);
-                   showSaved(path, error);
-               });
-}
-
-void MainWindow::saveCurves() {
-    askWhereToSavePlot(tr("plot"), m_plots->time(),
-                       [this](const QString &path, QString *error) { return m_plots->save(path, error); });
-}
-
-void MainWindow::askWhereToSavePlot(const QString &name, const TimeView &time,
-                                    const std::function<bool(const QString &path, QString *error)> &save) {
-    const QString filter = tr("Picture (*.png);;Document (*.pdf);;Table of all samples (*.csv)");
-    chooseFile(*this, m_session.settings(), {tr("Save plot"), filter, name, FileUse::Write},
-               [this, save, &time](const QString &path) {
-                   QString error;
-                   const bool isTable = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
-                   if (save(path, &error) &&
-                       (!isTable || saveSettingsBeside(m_session, path, time.clearedAt(), &error)))
-                       error = remarkOnSaved(m_session, path);
-                   showSaved(path, error);
-               });
-}
-
-void MainWindow::saveScreenshot() {
-    chooseFile(*this, m_session.settings(),
-               {tr("Save picture of the window"), tr("Picture (*.png)"), tr("inspector.png"), FileUse::Write},
-               [this](const QString &path) {
-                   QString error;
-                   grabTo(path, &error);
-                   showSaved(path, error);
-               });
-}
-
-/// line: why it failed, a remark, or empty.
-void MainWindow::showSaved(const QString &path, const QString &line) {
-    showRemark(line);
-    if (line.isEmpty()) sayItIsSaved(path);
-}
-
-/// line: or empty.
-void MainWindow::showRemark(const QString &line) {
-    m_messages->settle(Cause::Command);
-    if (!line.isEmpty()) m_messages->showLine(line, Cause::Command);
-}
-
-void MainWindow::sayItIsSaved(const QString &path) { sayBriefly(tr("Saved: %1").arg(oneLine(path))); }
-
-void MainWindow::toggleRecording() {
-    if (m_session.isRecording()) {
-        m_session.stopRecording();
-        return sayBriefly(tr("The recording has ended; its file is complete"));
-    }
-    action("record")->setChecked(false); // stays off until a file is chosen
-    chooseFile(*this, m_session.settings(),
-               {tr("Record the run"), tr("Recording (*.rec)"), tr("run.rec"), FileUse::Write},
-               [this](const QString &path) { m_session.startRecording(path); });
 }
 
 void MainWindow::quit() { close(); }
@@ -588,6 +313,12 @@ void MainWindow::toggleGhostParameters() {
 void MainWindow::copyToGhost() { m_parameters->copyToGhost(); }
 void MainWindow::swapWithGhost() { m_parameters->swapWithGhost(); }
 
+void MainWindow::turnLeft() { m_view->orbit({-kCameraPixels, 0.0}); }
+void MainWindow::turnRight() { m_view->orbit({kCameraPixels, 0.0}); }
+void MainWindow::lookFromHigher() { m_view->orbit({0.0, kCameraPixels}); }
+void MainWindow::lookFromLower() { m_view->orbit({0.0, -kCameraPixels}); }
+void MainWindow::lookFromNearer() { m_view->zoom(1.0, QRectF(m_view->rect()).center()); }
+void MainWindow::lookFromFarther() { m_view->zoom(-1.0, QRectF(m_view->rect()).center()); }
 void MainWindow::lookFromAbove() { m_view->lookFromAbove(); }
 void MainWindow::toggleFollowing() { m_view->setFollowing(action("camera_follow")->isChecked()); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/help_dialogs.h"
+#include "ui/help/help_dialogs.h"
 
 #include "core/setup/tables.h"
 #include "ui/input/menu_letters.h"

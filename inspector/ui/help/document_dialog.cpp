@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/document_dialog.h"
+#include "ui/help/document_dialog.h"
 
 #include "ui/parts/described.h"
 
