@@ -96,6 +96,17 @@ bool staysOff(const Substep &substep, const Contacts &contacts, const Part &all,
     });
 }
 
+/// Speed along the normal at which the ball may approach a contact that modes leave open, m/s, 0 or less: they fit
+/// within a tolerance far above that of solving, which would let such a contact press.
+double approachOf(const Substep &substep, const Contact &contact, const Response &response) {
+    constexpr double kMost = 1e3 * kFits;
+    const Moment &moment = substep.moment;
+    const double turning = contact.curving(moment.velocity, moment.radius);
+    const double speed = glm::dot(contact.normal, moment.velocity + substep.h * response.acceleration);
+    const double most = kMost * (glm::length(moment.velocity) + substep.h * accelerationScale(moment));
+    return std::clamp(speed + substep.h * turning, -most, 0.0);
+}
+
 /// What rolling resistance adds to the spin, rad/s: that which the forces don't.
 Vec3 resistanceIn(const Response &response, std::span<const Held> held, double radius) {
     Vec3 resisting = response.spinAcceleration;
@@ -137,6 +148,8 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
         const Reaction &reaction = response.reactions[i];
         Lasting &contact = lasting[part.number[i]];
         contact.isIdle = contact.isGlued && reaction.mode == Mode::open;
+        if (reaction.mode == Mode::open)
+            contact.slow = std::min(contact.slow, approachOf(substep, contacts[part.number[i]], response));
         // Pressure of rounding size might grow by the friction of a very rough contact opposite to another.
         if (reaction.pressure <= response.noise) continue;
         contact.reaction = h * reaction.pressure;

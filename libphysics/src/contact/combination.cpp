@@ -157,6 +157,31 @@ double unsettled(const Combination &c, uint32_t i) {
     return kSlipPerFriction * c.moment.settled * c.held[i].friction * std::abs(c.reactions[i].pressure);
 }
 
+/// Whether sticking contacts leave the ball a motion along all closed contacts. Two leave it the turning about the line
+/// through both, three none: what the equations then give for a slip's rate is rounding, or its quotient by a small
+/// angle.
+bool isFreeToTurn(const Combination &c) {
+    const double rounding = 4.0 * c.moment.rounding;
+    uint32_t first = c.count(), second = c.count();
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (!c.sticks(i)) continue;
+        if (first == c.count()) {
+            first = i;
+        } else if (second == c.count()) {
+            second = i;
+        } else {
+            return false;
+        }
+    }
+    if (second == c.count()) return true;
+    const Vec3 line = hat(c.held[first].normal - c.held[second].normal);
+    const Vec3 way = glm::cross(line, c.held[first].normal);
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (!c.isOpen(i) && std::abs(glm::dot(way, c.held[i].normal)) > rounding) return false;
+    }
+    return true;
+}
+
 /// Whether a slip starts at this moment in the direction that another, sticking contact leaves free.
 bool isSpent(const Combination &c, uint32_t i) { return (c.spent >> i & 1U) && c.onlySticking() < c.count(); }
 
@@ -184,6 +209,7 @@ bool fits(const Combination &c, double zero) {
             break;
         case Mode::starting:
             if (std::abs(apart) > zero || reaction.pressure < leastPressure) return false;
+            if (!isFreeToTurn(c)) return false;
             if (glm::dot(slipRate(c, i), reaction.direction) <= (isSpent(c, i) ? -zero : zero + unsettled(c, i)))
                 return false;
             break;

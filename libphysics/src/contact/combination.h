@@ -58,11 +58,12 @@ struct Combination {
     bool isHeld() const { return squared(rolling) < 1.0 - 1e-12; }
 
     /// Sets the accelerations of a ball that contact i holds: zero except, at most, for a change of the spin about the
-    /// normal.
+    /// normal if no other contact sticks.
     void rest(uint32_t i, double zero) {
         const Vec3 pivoting = spinAcceleration - tangential(spinAcceleration, held[i].normal);
         acceleration = Vec3(0.0);
-        spinAcceleration = glm::length(pivoting) * moment.radius > zero ? pivoting : Vec3(0.0);
+        const bool pivots = onlySticking() == i && glm::length(pivoting) * moment.radius > zero;
+        spinAcceleration = pivots ? pivoting : Vec3(0.0);
     }
 
     /// Whether contact i, which doesn't stick, is opposite to another face that carries all.

@@ -271,6 +271,45 @@ uint32_t resisted(const Combination &c) {
     return i;
 }
 
+/// The only contact that sticks besides one; count() if there is none or more.
+uint32_t stickingBeside(const Combination &c, uint32_t one) {
+    uint32_t only = c.count();
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (i == one || !c.sticks(i)) continue;
+        if (only < c.count()) return c.count();
+        only = i;
+    }
+    return only;
+}
+
+/// Resistance on a ball that can only start to turn about a line: the largest one, or the share that holds the ball.
+/// Near the normal the line is so much steeper than the torque that passes of `settleDirections` would change nothing.
+void resistAbout(Combination &c, const Vec3 &line, const Vec3 &direction) {
+    constexpr int kMostLooks = 60;
+    const auto turnWith = [&](double share) {
+        c.rolling = share * direction;
+        solve(c);
+        return glm::dot(c.spinAcceleration, line);
+    };
+    double none = 0.0, turnOfNone = turnWith(none);
+    double all = turnOfNone < 0.0 ? -1.0 : 1.0, turnOfAll = turnWith(all);
+    if (turnOfNone * turnOfAll > 0.0) return;
+    // The pressures depend on the resistance, but little: false position, whose older end counts half (Illinois).
+    for (int pass = 0; pass < kMostLooks && turnOfNone != turnOfAll && !c.work.isTooMuch(); ++pass) {
+        const double share = (none * turnOfAll - all * turnOfNone) / (turnOfAll - turnOfNone);
+        const double turn = turnWith(share);
+        if (turn == 0.0 || share == none || share == all) return;
+        if (turn * turnOfAll > 0.0) {
+            turnOfNone *= 0.5;
+        } else {
+            none = all;
+            turnOfNone = turnOfAll;
+        }
+        all = share;
+        turnOfAll = turn;
+    }
+}
+
 /// Directions in which slips begin: opposite to the friction that would be needed to prevent them. If one other contact
 /// sticks, the ball can only turn about the line through both, so the slip is across both normals.
 bool aimStarts(Combination &c, StuckForces &stuckForces) {
@@ -318,8 +357,14 @@ bool settle(Combination &c, StuckForces &stuckForces) {
     // one that holds the ball, model.md 14.1.
     const Vec3 free = tangential(c.spinAcceleration, c.held[ground].normal);
     if (glm::length(free) * c.moment.radius <= zero) return isSettled;
-    sought.rolls = ground;
-    isSettled = settleDirections(c, sought) && isSettled;
+    const uint32_t other = stickingBeside(c, ground);
+    if (other < c.count() && sought.count == 0) {
+        const Vec3 line = hat(c.held[ground].normal - c.held[other].normal);
+        resistAbout(c, line, hat(tangential(line, c.held[ground].normal)));
+    } else {
+        sought.rolls = ground;
+        isSettled = settleDirections(c, sought) && isSettled;
+    }
     if (c.isHeld() && c.reactions[ground].pressure > zero) c.rest(ground, zero);
     return isSettled;
 }

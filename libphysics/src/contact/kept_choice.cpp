@@ -26,6 +26,7 @@ void LastingContacts::keep(const LastingContacts &chosen) {
         contact.rolls = chosen[i].rolls;
         contact.isIdle = chosen[i].isIdle;
         contact.resisting = chosen[i].resisting;
+        contact.slow = std::min(contact.slow, chosen[i].slow);
     }
     m_isChosen = true;
     m_mostPressure = kMostAfterTurn;

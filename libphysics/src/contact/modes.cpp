@@ -60,14 +60,14 @@ private:
 };
 
 /// How well a combination fits, best first: within rounding; within the accuracy of directions with few digits, such as
-/// that of a slip that has just begun; within that of directions that haven't converged; each also with shifted forces
-/// of sticking contacts.
+/// that of a slip that has just begun; the same with shifted forces of sticking contacts; within the accuracy of
+/// directions that haven't converged, also with shifted forces.
 struct Fit {
     double tolerance;
     bool shares;
 };
-constexpr Fit kFit[] = {{kFits, false},      {kFits, true},     {1e3 * kFits, false},
-                        {1e3 * kFits, true}, {kRoughly, false}, {kRoughly, true}};
+constexpr Fit kFit[] = {{kFits, false},      {1e3 * kFits, false}, {kFits, true},
+                        {1e3 * kFits, true}, {kRoughly, false},    {kRoughly, true}};
 constexpr size_t kNoFit = std::size(kFit);
 constexpr size_t kFirstRough = 4; ///< all that a combination can reach whose directions haven't converged
 static_assert(kFit[kFirstRough].tolerance == kRoughly && kFit[kFirstRough - 1].tolerance < kRoughly);

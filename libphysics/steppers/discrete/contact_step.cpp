@@ -25,9 +25,14 @@ Vec3 rollingSpinOf(const StepContext &context, const Ball &ball) {
     return rollingSpin(inPlane(ball.velocity), context.radius());
 }
 
-/// Normal of the same feature for another position of the centre.
+/// Normal of the same feature for another position of the centre; beyond its border that of the one it continues in.
 Vec3 normalAt(const Contact &contact, const Vec3 &position) {
-    return glm::normalize(contact.across(position - contact.point));
+    Vec3 normal = contact.across(position - contact.point);
+    if (contact.isFace()) return glm::normalize(normal);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (normal[axis] * contact.sides[axis] < 0.0) normal[axis] = 0.0;
+    }
+    return normal == Vec3(0.0) ? contact.normal : glm::normalize(normal);
 }
 
 /// The energy dissipated by friction and resistance: each impulse times the mean motion that it opposes, model.md 13.5.

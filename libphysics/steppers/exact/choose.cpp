@@ -114,8 +114,8 @@ void stopHeld(const Touching &touching, const Response &response, MovingBall &ba
         const Vec3 &n = touching.held(i).normal;
         const Vec3 pivoting = glm::dot(ball.motion.spin, n) * n;
         if (!isNoSlip(ball.moment(), ball.radius() * (ball.motion.spin - pivoting))) continue;
-        const bool pivots = countSticking(response) == 1 || !isNoSlip(ball.moment(), ball.radius() * pivoting);
-        ball.motion = {Vec3(0.0), pivots ? pivoting : Vec3(0.0)};
+        const bool isRounding = countSticking(response) > 1 && isNoSlip(ball.moment(), ball.radius() * pivoting);
+        ball.motion = {Vec3(0.0), mayPivot(i, touching, response) && !isRounding ? pivoting : Vec3(0.0)};
     }
 }
 

@@ -256,7 +256,8 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
     if (end.cause == Cause::stop) {
         const Vec3 &n = touching.held(end.contact).normal;
         ball.event(PHYS_EVENT_STOP, before, 0.0);
-        ball.motion = {Vec3(0.0), glm::dot(ball.motion.spin, n) * n};
+        const bool pivots = mayPivot(end.contact, touching, response);
+        ball.motion = {Vec3(0.0), pivots ? glm::dot(ball.motion.spin, n) * n : Vec3(0.0)};
     }
     if (end.cause == Cause::grip) {
         stick(end.contact, kNever, touching, ball);

@@ -189,6 +189,14 @@ uint32_t countSticking(const Response &response) {
     return count;
 }
 
+bool mayPivot(uint32_t at, const Touching &touching, const Response &response) {
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        const bool sticks = i != at && response.reactions[i].mode == Mode::sticking;
+        if (sticks && touching.held(i).normal != -touching.held(at).normal) return false;
+    }
+    return true;
+}
+
 bool rests(const MovingBall &ball, const Response &response) {
     if (ball.motion.velocity != Vec3(0.0)) return false;
     if (glm::length(response.acceleration) > response.noise) return false;

@@ -57,6 +57,9 @@ void balance(const MovingBall &ball, const Touching &touching, Response &respons
 
 uint32_t countSticking(const Response &response);
 
+/// Whether a ball that sticks at a contact may turn about its normal: nowhere else it sticks, but opposite to it.
+bool mayPivot(uint32_t at, const Touching &touching, const Response &response);
+
 /// Whether the ball stays in place.
 bool rests(const MovingBall &ball, const Response &response);
 

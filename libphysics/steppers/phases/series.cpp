@@ -442,6 +442,13 @@ bool Series::isIdle(const Contact &contact, double s) const {
     return most <= m_noForce;
 }
 
+/// Share of the spin that resistance opposes: less than all where another sticking contact, nearly opposite, leaves the
+/// ball a line to turn about.
+double Series::shareOfRolling() const {
+    const double whole = glm::length(m_om[0]);
+    return otherSticking(m_contacts[m_rolls]) && whole > 0.0 ? m_turningSpeed[0] / whole : 1.0;
+}
+
 End Series::end(double until, Work &work) const {
     End end{length(), Cause::time, 0}; // in units, until the end
     const double s = until < horizon() ? placeOf(until) : length();
@@ -470,7 +477,7 @@ End Series::end(double until, Work &work) const {
     if (m_rolls < m_count && !m_rollStarts) {
         Jet left = m_turningSpeed;
         for (double &term : left.c) term *= m_moment.radius;
-        end.cut(zeroOfSpeed(left, s, m_reach, kSlipEnds * speed, Cause::stop, given(m_rolls), work));
+        end.cut(zeroOfSpeed(left, s, m_reach, kSlipEnds * shareOfRolling() * speed, Cause::stop, given(m_rolls), work));
     }
     end.after = timeAt(end.after);
     return end;

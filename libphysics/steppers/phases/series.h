@@ -212,6 +212,7 @@ private:
     const Contact *otherSticking(const Contact &contact) const;
     const Reserve &reserveOf(const Contact &contact) const;
     Reserve findReserve(const Contact &contact) const;
+    double shareOfRolling() const;
     bool isPrestressed(const Contact &contact) const;
     double endOfPrestress(double s, Work &work) const;
     bool takeReserve(const Contact &contact, const Contact &other, const VecJet &friction, Reserve &reserve) const;
