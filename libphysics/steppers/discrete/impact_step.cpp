@@ -158,8 +158,11 @@ double moveToImpact(const StepContext &context, const Impacts &impacts, const Ve
 } // namespace
 
 std::optional<double> hit(const StepContext &context, Contacts &contacts, double after, double h, Ball &ball) {
+    constexpr double kModes = 1e-8; // of the speed: an approach that modes may leave, model.md 13.5
+    const double speedBefore = glm::length(ball.velocity);
     const bool any = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
-        return -glm::dot(ball.velocity, contact.normal) > contact.restSpeed;
+        const double least = contact.isFace() ? 0.0 : kModes * speedBefore;
+        return -glm::dot(ball.velocity, contact.normal) > std::max(contact.restSpeed, least);
     });
     if (!any) return std::nullopt;
     meetAhead(context, h, ball, contacts);
@@ -172,9 +175,8 @@ std::optional<double> hit(const StepContext &context, Contacts &contacts, double
     }
     if (impacts.rounds > 1) context.work.add(work.done()); // a single round belongs to the substep, or event
     const Vec3 way = wayToImpact(context, contacts, h, motionOf(ball), motion);
-    const double speed = glm::length(ball.velocity);
     setMotion(motion, ball);
-    const double left = moveToImpact(context, impacts, way, h, speed, contacts, ball);
+    const double left = moveToImpact(context, impacts, way, h, speedBefore, contacts, ball);
     context.report.lostImpact(impacts.lostNormal);
     context.report.lostSlip(impacts.lostSlip);
     context.report.passes(impacts.rounds);

@@ -66,6 +66,7 @@ const Aligned kUnderTwoHairs{
     {kFloorNormal, {-1.4e-8, 0.0, -1.0}, {4.4e-6, 0.0, -1.0}}, 0.18, 0.3, 0.18, {6.9, -4.8, -17.0}};
 const Aligned kAtAWallUnderAHair{
     {kFloorNormal, {0.0, -1.0, 0.0}, {1.8e-8, 0.0, -1.0}}, 0.34, 0.36, 0.02, {-5.5, 1.8, -16.7}};
+const Aligned kUnderARoofOfADiameter{{kFloorNormal, {0.0, 8.8e-12, -1.0}}, 0.71, 0.98, 0.0, {-5.863, -2.793, -9.865}};
 
 } // namespace
 
@@ -90,6 +91,7 @@ void TestNearlyAligned::noHairHoldsABall_data() {
         {"a wall's edge", kBesideAWallEdge, {-0.0137, 0.0, 0.0}},
         {"a roof's edge and a wall", kUnderAHairOfARoof, {0.0, 0.0278, 0.0}},
         {"two roofs' edges", kUnderTwoHairs, {0.0624, -0.0434, 0.0}},
+        {"a roof's edge a diameter up", kUnderARoofOfADiameter, {-0.0838, -0.0399, 0.0}},
         {"a wall and a roof's edge", kAtAWallUnderAHair, {-0.0647, 0.0, 0.0}},
     };
     for (const QByteArray &stepper : stepperIds()) {
