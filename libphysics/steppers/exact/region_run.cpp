@@ -139,8 +139,14 @@ private:
         if (!(std::abs(turning) > kLeastTurn * glm::length(slip) * glm::length(rate))) return slipStraight(slip);
         const Reaction rough{Mode::slipping, m_pull.pressure, Vec3(0.0), direction, slip};
         const Reaction smooth{Mode::smooth, push, push * n, Vec3(0.0), Vec3(0.0)};
-        const Slide phase(moment, {0, 1, 2, m_rests}, kUp, rough, params.sliding_friction, smooth);
-        const End end = phase.end(m_ball.left, m_ball.work);
+        Slide phase(moment, {0, 1, 2, m_rests}, kUp, rough, params.sliding_friction, smooth);
+        End end = phase.end(m_ball.left, m_ball.work);
+        if (phase.isClosing()) {
+            Hit hit;
+            if (!findHit(phase, std::min(end.after, m_ball.left), hit)) return;
+            if (!(end.after < m_ball.left) || hit.after < end.after) phase.open();
+            end = phase.end(m_ball.left, m_ball.work);
+        }
         const double rolling = moment.velocity[along] - 2.0 / 7.0 * slip[along]; // if the slip ends now
         if (end.cause != Cause::grip || std::abs(rolling) > kUnsure * scale) runOn(phase, end);
     }

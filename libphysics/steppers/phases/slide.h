@@ -28,6 +28,9 @@ public:
     double mostAcceleration() const { return std::max(std::abs(m_start), std::abs(m_limit)); }
     double horizon() const { return m_horizon; }
     End end(double until, Work &work) const;
+    /// Whether only its end is accurate: an event before needs it to be opened.
+    bool isClosing() const { return m_closes; }
+    void open();
     Losses losses(double t) const;
 
 private:
@@ -37,16 +40,20 @@ private:
     double m_radius, m_small; ///< m; m/s: speed that is rounding
     double m_limitOfFriction; ///< mu N, m/s^2
     double m_rolling, m_g;    ///< along both faces: the velocity minus 2/7 of the slip; gravity
+    double m_fast;            ///< m/s: of the velocities whose difference the slip is
     double m_push, m_side;    ///< m/s^2: pressure on the smooth face at the start; mu N, or -mu N on its other side
     double m_start, m_limit;  ///< m/s^2: acceleration along both faces at the start, and its limit
-    JetOf<Vec2> m_u;          ///< slip: components across the smooth face and along both
-    Jet m_speed;              ///< of the slip
-    Jet m_time;               ///< s
-    JetOf<Vec2> m_way;        ///< m: integral of the slip over the time
+    JetOf<Vec2> m_u{};        ///< slip: components across the smooth face and along both
+    Jet m_speed{};            ///< of the slip
+    Jet m_time{};             ///< s
+    JetOf<Vec2> m_way{};      ///< m: integral of the slip over the time
     Reach m_reach;            ///< s^2/m
     double m_horizon;         ///< s
+    bool m_closes = false;
 
     double unit() const { return m_reach.unit; }
+    bool close(double rounding);
+    void expand();
     bool mayOpen() const;
     double opensAt(double s, Work &work) const;
     double xiAt(double t) const;
