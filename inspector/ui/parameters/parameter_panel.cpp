@@ -13,7 +13,6 @@
 #include <QGridLayout>
 #include <QPushButton>
 #include <QScrollBar>
-#include <QToolButton>
 #include <QUndoStack>
 
 #include <cmath>
@@ -130,11 +129,9 @@ void ParameterPanel::addRow(Side &side, int index, QGridLayout &grid, int line) 
 
 QWidget *ParameterPanel::makeHead() {
     const QString prefix = QStringLiteral("parameters_");
-    auto *sets = new QToolButton;
+    auto *sets = new QPushButton(tr("Sets"));
     sets->setObjectName(QStringLiteral("parameter_sets"));
-    sets->setText(tr("Sets"));
     describe(sets, tr("Named sets of parameters"), tr("Parameters by name: materials, and what you saved"));
-    sets->setPopupMode(QToolButton::InstantPopup);
     sets->setMenu(m_sets);
     sets->setFocusPolicy(Qt::TabFocus);
     QCheckBox *ghostsOwn = switchFor(m_actions.ghostsOwn, prefix);

@@ -13,7 +13,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QToolButton>
 
 #include <algorithm>
 
@@ -71,7 +70,7 @@ void TestWindowSets::cleanup() { m_fixture.reset(); }
 // As a click on the button opens it; it stays open until something is chosen.
 QMenu *TestWindowSets::menu() {
     auto *menu = m_fixture->find<QMenu>("set_menu");
-    menu->popup(m_fixture->find<QToolButton>("parameter_sets")->mapToGlobal(QPoint(0, 20)));
+    menu->popup(m_fixture->find<QPushButton>("parameter_sets")->mapToGlobal(QPoint(0, 20)));
     return menu;
 }
 
@@ -100,7 +99,7 @@ void TestWindowSets::save(const QString &name) {
 }
 
 void TestWindowSets::knownSetIsChosenByKeyboardAndUndone() {
-    auto *button = m_fixture->find<QToolButton>("parameter_sets");
+    auto *button = m_fixture->find<QPushButton>("parameter_sets");
     button->setFocus(Qt::TabFocusReason);
     QTimer::singleShot(0, button, [] {
         QTRY_VERIFY(QApplication::activePopupWidget());
