@@ -2,7 +2,7 @@
 // The autopilot and its map of the maze.
 #include "core/pilot/autopilot.h"
 #include "core/program/headless.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // The law of a bounce with its numbers: a ball that rolls head-on into a wall with e = 0.5, compared with closed forms.
 #include "core/events/bounce_law.h"
 #include "core/events/event_table.h"
-#include "scenes.h"
-#include "wall_ahead.h"
+#include "inspector/core/scenes.h"
+#include "inspector/core/wall_ahead.h"
 
 #include <cmath>
 #include <set>

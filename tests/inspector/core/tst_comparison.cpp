@@ -5,9 +5,9 @@
 #include "core/session/row_settings.h"
 #include "core/session/session.h"
 #include "core/setup/settings_file.h"
-#include "headless_run.h"
+#include "inspector/core/scenes.h"
+#include "inspector/program/headless_run.h"
 #include "inspector/stepping.h"
-#include "scenes.h"
 #include "support/compare.h"
 #include "support/files.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine, stepped manually.
-#include "scenes.h"
-#include "wall_ahead.h"
+#include "inspector/core/scenes.h"
+#include "inspector/core/wall_ahead.h"
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 #include "core/events/bounce.h"
 #include "core/events/event_log.h"
 #include "core/simulation/simulation.h"
-#include "scenes.h"
-#include "wall_ahead.h"
+#include "inspector/core/scenes.h"
+#include "inspector/core/wall_ahead.h"
 
 #include <algorithm>
 #include <cmath>

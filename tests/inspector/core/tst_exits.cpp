@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Exits of mazes: what is marked in mazes that have no .obj of their own.
 #include "core/pilot/exits.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
 
 using namespace inspector;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The ghost, stepped manually: it starts at the ball, gets the same inputs, and never affects the ball.
 #include "core/engine/ghost_engine.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
 #include "support/compare.h"
 #include "support/stepper_rows.h"
 

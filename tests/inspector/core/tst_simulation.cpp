@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The engine on its thread: the same bits, nothing lost, nobody waits. No test depends on the speed.
 #include "core/simulation/simulation.h"
-#include "recorded_steps.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
+#include "inspector/recording/recorded_steps.h"
 #include "support/compare.h"
 
 #include <QDeadlineTimer>

@@ -2,9 +2,9 @@
 // The path ahead is computed by the exact stepper; the user can put the ball only where it fits.
 #include "core/setup/ball_place.h"
 #include "core/simulation/way_ahead.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
+#include "inspector/core/wall_ahead.h"
 #include "support/compare.h"
-#include "wall_ahead.h"
 
 #include <array>
 #include <cmath>

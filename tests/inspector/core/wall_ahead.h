@@ -2,7 +2,7 @@
 // The scene of a bounce: a floor of 2 m, and a wall to the right of the ball's start.
 #pragma once
 
-#include "scenes.h"
+#include "inspector/core/scenes.h"
 
 namespace inspector {
 

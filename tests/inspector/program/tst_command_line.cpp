@@ -3,7 +3,7 @@
 #include "core/program/command_line.h"
 #include "core/recording/recording.h"
 #include "core/setup/files.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
 
 #include <physics/plugin.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plugins that end the process that loads them: damaged headers, constructors that crash, exit or hang.
-#include "process_run.h"
+#include "inspector/program/process_run.h"
 #include "support/files.h"
 
 #include <QProcess>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Runs without a window: their table, when they end, and their exit status.
 #include "core/program/csv_writer.h"
-#include "headless_run.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
+#include "inspector/program/headless_run.h"
 #include "support/files.h"
 
 #include <QDir>

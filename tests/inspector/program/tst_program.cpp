@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program from the outside: output, messages, exit status; no display.
-#include "process_run.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
+#include "inspector/program/process_run.h"
 
 #include <QDir>
 #include <QFileInfo>

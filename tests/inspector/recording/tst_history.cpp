@@ -2,7 +2,7 @@
 // The history: every place of it can be restored, bit by bit, in bounded memory.
 #include "core/recording/history.h"
 #include "core/recording/player.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
 #include "support/compare.h"
 
 #include <random>

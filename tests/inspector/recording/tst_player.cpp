@@ -3,8 +3,8 @@
 #include "core/recording/player.h"
 #include "core/recording/recorder.h"
 #include "core/simulation/simulation.h"
-#include "recorded_steps.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
+#include "inspector/recording/recorded_steps.h"
 #include "support/compare.h"
 #include "support/random.h"
 

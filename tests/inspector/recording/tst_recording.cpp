@@ -5,10 +5,10 @@
 #include "core/schedule/recording_schedule.h"
 #include "core/session/session.h"
 #include "core/setup/settings_file.h"
-#include "headless_run.h"
+#include "inspector/core/scenes.h"
+#include "inspector/program/headless_run.h"
+#include "inspector/recording/recorded_steps.h"
 #include "inspector/stepping.h"
-#include "recorded_steps.h"
-#include "scenes.h"
 #include "support/compare.h"
 #include "support/files.h"
 

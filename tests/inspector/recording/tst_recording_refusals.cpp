@@ -2,8 +2,8 @@
 // Recordings that can't be read, followed or written: one line each with the place, the expected and the found text.
 #include "core/recording/recorder.h"
 #include "core/simulation/simulation.h"
-#include "headless_run.h"
-#include "scenes.h"
+#include "inspector/core/scenes.h"
+#include "inspector/program/headless_run.h"
 #include "support/files.h"
 
 #include <QTemporaryDir>

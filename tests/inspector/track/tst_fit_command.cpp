@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The fit on the command line: what it says, its files and its status. The example track was made on level 3.
-#include "inspector/core/headless_run.h"
+#include "inspector/program/headless_run.h"
 #include "support/files.h"
 
 #include <QRegularExpression>
