@@ -255,8 +255,8 @@ enum {
 /** Bits of phys_params.options. */
 enum {
     PHYS_OPTION_ORIENTATION = 1, /**< also integrate state.orientation, which only drawing needs */
-    PHYS_OPTION_ALL_STAGES = 2,  /**< run every stage even if not required, for tests and benchmarks; same results, but
-                                      of steps of `exact` that take more than a quarter of the work allowed */
+    PHYS_OPTION_ALL_STAGES = 2,  /**< run every stage even if not required, for tests and benchmarks; same results
+                                      in every step, but no limit of its time */
     PHYS_OPTIONS = 3
 };
 

@@ -10,10 +10,9 @@ namespace phys {
 
 namespace {
 
-constexpr uint64_t kMostChoice = 550'000; ///< work of one choice
+constexpr uint64_t kMostChoice = 412'500; ///< work of one choice
 constexpr uint32_t kMany = 5;             ///< contacts, among which at most kFewest are tried together:
 constexpr uint32_t kFewest = 3;           ///< as many as there are independent normals
-constexpr uint64_t kCounted = 2;          ///< of so many units of a choice one counts: its equations are small
 constexpr double kSettled = 1e-9;         ///< change of a direction that is left to Newton's method
 
 struct Substep {
@@ -141,7 +140,7 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
         part = staying;
     else
         response = respondTo(part);
-    work.add(own.done() / kCounted);
+    work.add(2 * own.done() / 3); // its equations are small
     if (!response.isFound || own.isTooMuch()) return;
     const Vec3 resisting = h * resistanceIn(response, part.list(), moment.radius);
     for (uint32_t i = 0; i < part.count; ++i) {

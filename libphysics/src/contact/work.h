@@ -21,7 +21,7 @@ public:
     static constexpr uint64_t kImpact = 20;    ///< a contact's part in a round of impacts
     static constexpr uint64_t kPush = 4;       ///< one contact in one tried set of contacts that share an impact
     static constexpr uint64_t kDisc = 8;       ///< a contact's part in a sweep of friction
-    static constexpr uint64_t kEquations = 60; ///< an unknown of the equations of one combination of modes
+    static constexpr uint64_t kEquations = 45; ///< an unknown of the equations of one combination of modes
     static constexpr uint64_t kNewton = 120;   ///< a contact's part in the equations of all friction together
     static constexpr uint64_t kSeries = 850;   ///< an unknown or a normal of a set of power series
     static constexpr uint64_t kJet = 8;        ///< evaluation of a power series and its rate

@@ -56,10 +56,7 @@ phys_status leave(const MovingBall &ball, uint32_t flags, phys_state &out) {
     if (!std::isfinite(sum.x + sum.y + sum.z)) {
         return fail(ball.error, PHYS_ERROR_INTERNAL, "the step's result isn't a number");
     }
-    if (movesAfterManyHops(ball)) {
-        return fail(ball.error, PHYS_ERROR_EVENT_CAP,
-                    "more than %u bounces in one step, after which the ball moves on: take a smaller dt", kMostHops);
-    }
+    if (const phys_status status = checkHops(ball)) return status;
     out.position = fromVec(ball.position);
     out.velocity = fromVec(ball.motion.velocity);
     out.spin = fromVec(ball.motion.spin);
@@ -132,6 +129,12 @@ phys_status followEvents(FloorRegions &regions, MovingBall &ball, ContactEvents 
 
 phys_status stepExactly(const Scene &scene, FloorRegions &regions, const phys_params &params, double dt,
                         const phys_state &in, phys_state &out, phys_report *report, phys_error *err) {
+    if (params.options & PHYS_OPTION_ALL_STAGES) { // refuses what is refused without it, whatever it costs itself
+        phys_params usual = params;
+        usual.options &= ~static_cast<uint32_t>(PHYS_OPTION_ALL_STAGES);
+        phys_state unused = in;
+        if (const phys_status status = stepExactly(scene, regions, usual, dt, in, unused, nullptr, err)) return status;
+    }
     MovingBall ball(scene, params, dt, in, report, err);
     ball.report.substeps(1, 0);
     ContactEvents events;

@@ -288,7 +288,8 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
 void follow(const Choice &choice, const Event &event, MovingBall &ball, Touching &touching) {
     const bool isSeries = std::holds_alternative<Series>(choice.phase);
     if (isSeries || event.end.cause == Cause::touch) {
-        countHop(isSeries ? seriesCount(touching.count()) : kHopCount, event.end.after, ball);
+        const uint32_t hop = std::holds_alternative<Resisted>(choice.phase) ? kResistedCount : kHopCount;
+        countHop(isSeries ? seriesCount(touching.count()) : hop, event.end.after, ball);
     }
     const MirrorPlanes planes(ball, touching.held());
     std::visit([&](const auto &phase) { move(phase, event.end, touching, choice.response, ball); }, choice.phase);

@@ -75,9 +75,12 @@ void countHop(uint32_t count, double time, MovingBall &ball) {
     ball.lastHop = ball.position;
 }
 
-bool movesAfterManyHops(const MovingBall &ball) {
+phys_status checkHops(const MovingBall &ball) {
     constexpr double kNear = 0.01; // radii
-    return hasManyHops(ball) && !(ball.isStill() && glm::length(ball.position - ball.lastHop) <= kNear * ball.radius());
+    if (!hasManyHops(ball)) return PHYS_OK;
+    if (ball.isStill() && glm::length(ball.position - ball.lastHop) <= kNear * ball.radius()) return PHYS_OK;
+    return fail(ball.error, PHYS_ERROR_EVENT_CAP,
+                "more than %u bounces in one step, after which the ball moves on: take a smaller dt", kMostHops);
 }
 
 double lastHeight(const MovingBall &ball) {

@@ -6,10 +6,10 @@
 
 namespace phys {
 
-/// What is counted, by its cost: one of many bounces on a face, a hop, and a phase of series between hops with so many
-/// lasting contacts.
-inline constexpr uint32_t kBounceCount = 1, kHopCount = 8;
-constexpr uint32_t seriesCount(uint32_t contacts) { return 18 * contacts * (contacts + 1); }
+/// What is counted, by its cost: one of many bounces on a face, a hop along a face against resistance or friction, any
+/// other hop, and a phase of series between hops with so many lasting contacts.
+inline constexpr uint32_t kBounceCount = 1, kResistedCount = 5, kHopCount = 8;
+constexpr uint32_t seriesCount(uint32_t contacts) { return 36 * contacts; }
 
 /// Counts a phase of this length (s) as one of those, if it is short.
 void countHop(uint32_t count, double time, MovingBall &ball);
@@ -24,8 +24,9 @@ inline constexpr uint32_t kMostHops = 12'000;
 inline constexpr uint32_t kManyHops = kMostHops * kHopCount;
 inline bool hasManyHops(const MovingBall &ball) { return ball.hops >= kManyHops; }
 
-/// Whether what a ball with many hops has done since then may be inexact: it hasn't come to rest where it was.
-bool movesAfterManyHops(const MovingBall &ball);
+/// Refuses a step in which what a ball with many hops has done since then may be inexact: it hasn't come to rest where
+/// it was.
+phys_status checkHops(const MovingBall &ball);
 
 /// The largest height of last bounces at smooth contacts, m.
 double lastHeight(const MovingBall &ball);

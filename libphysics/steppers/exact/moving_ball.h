@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace phys {
 
@@ -22,6 +23,7 @@ struct MovingBall {
         : setting{scene, params}
         , report(to, in, dt)
         , error(err)
+        , work(runsAllStages() ? std::numeric_limits<uint64_t>::max() : Work::kMost)
         , left(dt)
         , position(toVec(in.position))
         , motion{toVec(in.velocity), toVec(in.spin)} {

@@ -186,7 +186,7 @@ private:
         if (ends && own.cause == Cause::grip) return grip(own, phase.mostAcceleration());
         if (ends && own.cause == Cause::stop) return stop(phase.spinAt(end));
         if (!hits) return;
-        countHop(kHopCount, end, m_ball);
+        countHop(std::is_same_v<Phase, Resisted> ? kResistedCount : kHopCount, end, m_ball);
         bounce(hit);
     }
 
@@ -258,11 +258,9 @@ private:
         const Outlook around{m_ball.scene(), m_ball.position, m_ball.motion, touched, m_ball.work};
         const bool isTouched = range(axis).isFace(m_ball.position[axis]);
         if constexpr (requires { phase.turnsOnce(); }) {
-            if (phase.turnsOnce()) {
-                const FaceTarget face(m_ball.position, box, axis, side, isTouched && sideOf(axis) == side);
-                const double after = PlaneSearch(face, around, phase).find(from, end);
-                if (!std::isnan(after)) return after;
-            }
+            const FaceTarget face(m_ball.position, box, axis, side, isTouched && sideOf(axis) == side);
+            const double after = PlaneSearch(face, around, phase).find(from, end);
+            if (!std::isnan(after)) return after;
         }
         if (isTouched) {
             touched.add(contactAtFace(m_ball.setting, m_ball.position, boxAt(axis), axis, sideOf(axis)));
@@ -290,7 +288,7 @@ private:
 
     /// Unless the face isn't reached, another contact is near or this may be the last bounce.
     void bounce(const Hit &hit) {
-        m_ball.work.add(Work::kEvent);
+        m_ball.work.add(Work::kTouch + Work::kImpact);
         const int other = 1 - hit.axis;
         if (!touches(hit.box) || (other != m_rests && !range(other).isFree(m_ball.position[other]))) return;
         const Contact face = contactAtFace(m_ball.setting, m_ball.position, hit.box, hit.axis, hit.side);

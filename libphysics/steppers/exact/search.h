@@ -157,7 +157,8 @@ public:
         , m_around(around)
         , m_phase(phase)
         , m_gap(target.gap(Vec3(0.0), around.scene.radius, m_normal))
-        , m_rate(glm::dot(m_normal, around.motion.velocity)) {}
+        , m_rate(glm::dot(m_normal, around.motion.velocity))
+        , m_turnsOnce(phase.turnsOnce() || phase.leastAcceleration(-m_normal, -m_rate) > 0.0) {}
 
     /// When the ball comes to the face from a time on; kNever if it certainly doesn't until then; NAN if it isn't
     /// known.
@@ -192,20 +193,23 @@ private:
     /// in the last ones. kNever if another feature of the box is nearer then, or the method fails.
     double run(double until) const {
         const double first =
-            firstFall(m_gap, m_rate, glm::dot(m_normal, m_phase.accelerationAt(m_around.motion.velocity)));
+            firstFall(m_gap, m_rate, glm::dot(m_normal, m_phase.accelerationAt(0.0, m_around.motion.velocity)));
         double t = first;
         bool wasNear = false;
-        for (int i = 0; i < 5 && t > 0.0 && t < until; ++i) {
+        for (int i = 0; i < 5 && t > 0.0 && t < until && isSimple(t); ++i) {
             Vec3 normal;
             const double start = fewDigits(t);
             t = start + stepFrom(start, normal);
             if (normal != m_normal) return kNever;
             const bool isNear = std::abs(t - start) <= 0x1p-19 * t; // the method is of third order
-            if (isNear && (wasNear || fewDigits(t) == start)) return t < until ? t : kNever;
+            if (isNear && (wasNear || fewDigits(t) == start)) return t < until && isSimple(t) ? t : kNever;
             wasNear = isNear;
         }
         return std::isnan(t) ? grazing(first) : kNever;
     }
+
+    /// Whether the ball turns at most once, or certainly moves towards the face until t.
+    bool isSimple(double t) const { return m_turnsOnce || m_rate + t * m_phase.mostAcceleration() < 0.0; }
 
     /// Where the ball only just reaches the plane, Newton's method may step across and see it leave. Under a constant
     /// acceleration it isn't needed: t is the zero.
@@ -222,7 +226,7 @@ private:
         const Way now = m_phase.at(t);
         const double gap = m_target.gap(now.way, m_around.scene.radius, n), speed = -glm::dot(n, now.velocity);
         if (!(speed > 0.0)) return NAN;
-        const double newton = gap / speed, bend = glm::dot(n, m_phase.accelerationAt(now.velocity));
+        const double newton = gap / speed, bend = glm::dot(n, m_phase.accelerationAt(t, now.velocity));
         return newton * (1.0 + 0.5 * newton * bend / speed);
     }
 
@@ -231,6 +235,7 @@ private:
     const Phase &m_phase;
     Vec3 m_normal;
     double m_gap, m_rate; ///< at the start: m, m/s
+    bool m_turnsOnce;     ///< along the normal
 };
 
 /// First time in [from, until] at which the ball touches a target and moves towards it, in any phase.
@@ -246,13 +251,11 @@ template<class Phase>
 double touchTime(const Outlook &around, const phys_box &box, const Phase &phase, double from, double until) {
     const Target target(around, box);
     if constexpr (requires { phase.turnsOnce(); }) {
-        if (phase.turnsOnce()) {
-            const PlaneSearch plane(target, around, phase);
-            double t = plane.find(from, until);
-            if (!std::isnan(t)) return t;
-            t = anyTouchTime(target, around, phase, from, until);
-            return t == kNever ? t : plane.settled(t);
-        }
+        const PlaneSearch plane(target, around, phase);
+        double t = plane.find(from, until);
+        if (!std::isnan(t)) return t;
+        t = anyTouchTime(target, around, phase, from, until);
+        return t == kNever ? t : plane.settled(t);
     }
     return anyTouchTime(target, around, phase, from, until);
 }

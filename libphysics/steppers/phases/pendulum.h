@@ -10,7 +10,7 @@ namespace phys {
 
 class Pendulum {
 public:
-    static constexpr uint64_t lookWork() { return 30; }
+    static constexpr uint64_t lookWork() { return 60; }
 
     /// contact, normal, pressure: number of the edge, from it to the ball, of the edge. axis: along the edge, with this
     /// acceleration. wanted: how long the motion is asked for, s.

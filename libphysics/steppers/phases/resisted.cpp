@@ -77,13 +77,23 @@ Place Resisted::placeAt(double t) const {
             t * drilling + glm::cross(m_normal, way - 5.0 / 7.0 * x) / m_radius};
 }
 
+Vec3 Resisted::accelerationAt(double t, const Vec3 &velocity) const {
+    if (!m_slips) return m_A - m_B / glm::length(velocity) * velocity;
+    const Vec2 slip = t == 0.0 ? m_slipStart : lawAt(t).v;
+    return m_A - 2.0 / 7.0 * m_B / length(slip) * inSpace(slip);
+}
+
+/// The rate of a rolling ball changes its sign at most once (model.md 3.5), and resistance to a motion against n acts
+/// along n: while rate <= 0 it only slows the fall, and with rate >= 0 and A.n >= 0 the ball never moves against n.
+double Resisted::leastAcceleration(const Vec3 &n, double rate) const {
+    const double free = glm::dot(m_A, n);
+    if (m_slips) return free - 2.0 / 7.0 * m_B * mostSlipAlong(onFace(n));
+    return rate <= 0.0 || free >= 0.0 ? free : free - m_B;
+}
+
 double Resisted::least(const Vec3 &n, double rate, double t, double until) const {
-    if (m_slips) {
-        const double least = glm::dot(m_A, n) - 2.0 / 7.0 * m_B * mostSlipAlong(onFace(n));
-        const bool lasts = 32.0 * rate < -least * (until - t) && leaves(n, t, until);
-        return lasts ? 0.0 : least;
-    }
     const double least = leastAcceleration(n, rate);
+    if (m_slips) return 32.0 * rate < -least * (until - t) && leaves(n, t, until) ? 0.0 : least;
     if (rate <= 0.0 || least >= 0.0) return least;
     // Nor does it move against n if the end lies ahead along n: tested only where the bound would lead to tiny steps.
     const bool lasts = 32.0 * rate < -least * (until - t) && glm::dot(n, at(until).way - at(t).way) >= 0.0;

@@ -11,7 +11,7 @@ namespace phys {
 
 class Resisted {
 public:
-    static constexpr uint64_t lookWork() { return 90; }
+    static constexpr uint64_t lookWork() { return 75; }
 
     /// axis: of the face's normal; velocity and A have no component along it.
     static Resisted rolling(int axis, const Vec3 &velocity, const Vec3 &A, double B, double radius, const Vec3 &spin,
@@ -27,15 +27,10 @@ public:
     double horizon() const { return kNever; }
     /// Whether the velocity along any direction changes its sign at most once: model.md 3.5.
     bool turnsOnce() const { return !m_slips; }
-    /// Of a rolling ball with this velocity.
-    Vec3 accelerationAt(const Vec3 &velocity) const { return m_A - m_B / glm::length(velocity) * velocity; }
-    /// At least that along n, from a moment on at which it moves there at this rate. It changes its sign at most once
-    /// (model.md 3.5), and resistance to a motion against n acts along n: while rate <= 0 it only slows the fall, and
-    /// with rate >= 0 and A.n >= 0 the ball never moves against n.
-    double leastAcceleration(const Vec3 &n, double rate) const {
-        const double free = glm::dot(m_A, n);
-        return rate <= 0.0 || free >= 0.0 ? free : free - m_B;
-    }
+    /// At a moment, of a ball with this velocity then.
+    Vec3 accelerationAt(double t, const Vec3 &velocity) const;
+    /// At least that along n, from a moment on at which it moves there at this rate.
+    double leastAcceleration(const Vec3 &n, double rate) const;
     End end() const { return {m_law.stopTime(), m_slips ? Cause::grip : Cause::stop, 0}; }
     Losses losses(double t) const;
 

@@ -20,7 +20,7 @@ Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &
 class Series {
 public:
     /// Work of a look at the way.
-    uint64_t lookWork() const { return m_countsSlips ? 250 : 60; }
+    uint64_t lookWork() const { return m_countsSlips ? 110 : 60; }
 
     Series() {} // NOLINT(modernize-use-equals-default): a defaulted one may clear all terms
 

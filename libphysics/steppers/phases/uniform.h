@@ -22,7 +22,7 @@ struct Uniform {
     double horizon() const { return kNever; }
     /// Whether the velocity along any direction changes its sign at most once.
     bool turnsOnce() const { return true; }
-    Vec3 accelerationAt(const Vec3 &) const { return acceleration; }
+    Vec3 accelerationAt(double, const Vec3 &) const { return acceleration; }
     double leastAcceleration(const Vec3 &n, double) const { return glm::dot(n, acceleration); }
 };
 
