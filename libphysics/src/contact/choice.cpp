@@ -98,12 +98,12 @@ bool staysOff(const Substep &substep, const Contacts &contacts, const Part &all,
 /// Speed along the normal at which the ball may approach a contact that modes leave open, m/s, 0 or less: they fit
 /// within a tolerance far above that of solving, which would let such a contact press.
 double approachOf(const Substep &substep, const Contact &contact, const Response &response) {
-    constexpr double kMost = 1e3 * kFits;
+    constexpr double kMost = 4e-8; // rad: within it no edge's gap tells it from a face
     const Moment &moment = substep.moment;
     const double turning = contact.curving(moment.velocity, moment.radius);
-    const double speed = glm::dot(contact.normal, moment.velocity + substep.h * response.acceleration);
-    const double most = kMost * (glm::length(moment.velocity) + substep.h * accelerationScale(moment));
-    return std::clamp(speed + substep.h * turning, -most, 0.0);
+    const Vec3 velocity = moment.velocity + substep.h * response.acceleration;
+    const double speed = glm::dot(contact.normal, velocity) + substep.h * turning;
+    return speed >= -kMost * glm::length(velocity) ? std::min(speed, 0.0) : 0.0;
 }
 
 /// What rolling resistance adds to the spin, rad/s: that which the forces don't.

@@ -158,7 +158,7 @@ double moveToImpact(const StepContext &context, const Impacts &impacts, const Ve
 } // namespace
 
 std::optional<double> hit(const StepContext &context, Contacts &contacts, double after, double h, Ball &ball) {
-    constexpr double kModes = 1e-8; // of the speed: an approach that modes may leave, model.md 13.5
+    constexpr double kModes = 4e-8; // of the speed: an approach that modes may leave, model.md 13.5
     const double speedBefore = glm::length(ball.velocity);
     const bool any = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
         const double least = contact.isFace() ? 0.0 : kModes * speedBefore;
