@@ -27,17 +27,10 @@ End ownEnd(const Uniform &phase, const Touching &touching, const Response &respo
     End end;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Reaction &reaction = response.reactions[i];
-        if (reaction.mode == Mode::slipping && reaction.pressure != 0.0) {
-            const Vec3 rate =
-                phase.acceleration - ball.radius() * glm::cross(phase.spinAcceleration, touching.held(i).normal);
-            const double slows = -glm::dot(rate, reaction.slip);
-            if (slows > 0.0) end.cut({glm::dot(reaction.slip, reaction.slip) / slows, Cause::grip, i});
-        }
-        if (reaction.mode == Mode::sticking && touching.held(i).resistance > 0.0 && response.rolling != Vec3(0.0)) {
-            const double speed = glm::dot(phase.spin, response.rolling);
-            const double slows = -glm::dot(phase.spinAcceleration, response.rolling);
-            if (slows > 0.0 && speed > 0.0) end.cut({speed / slows, Cause::stop, i});
-        }
+        const Held &held = touching.held(i);
+        if (reaction.mode == Mode::slipping && reaction.pressure != 0.0)
+            end.cut(phase.endOfSlip(reaction.slip, held.normal, ball.radius(), i));
+        if (reaction.mode == Mode::sticking && held.resistance > 0.0) end.cut(phase.endOfRolling(response.rolling, i));
     }
     return end;
 }

@@ -19,18 +19,15 @@ Losses losses(const P &phase, double t, const Touching &, const Response &, doub
 
 Losses losses(const Uniform &phase, double t, const Touching &touching, const Response &response, double R) {
     Losses lost;
-    const Vec3 middle = phase.spinAt(0.5 * t);
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Reaction &reaction = response.reactions[i];
         const Held &held = touching.held(i);
         if (reaction.mode == Mode::slipping || reaction.mode == Mode::starting) {
-            const Vec3 u = phase.at(0.5 * t).velocity - R * glm::cross(middle, held.normal);
-            lost.slip += held.friction * reaction.pressure * t * std::abs(glm::dot(u, reaction.direction));
+            const double speed = phase.meanSlip(t, reaction.direction, held.normal, R);
+            lost.slip += held.friction * reaction.pressure * t * speed;
         }
-        if (reaction.mode == Mode::sticking) {
-            const double turning = std::abs(glm::dot(middle, response.rolling));
-            lost.rolling += held.resistance * reaction.pressure * R * t * turning;
-        }
+        if (reaction.mode == Mode::sticking)
+            lost.rolling += held.resistance * reaction.pressure * R * t * phase.meanSpin(t, response.rolling);
     }
     return lost;
 }

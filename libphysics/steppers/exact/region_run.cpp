@@ -81,7 +81,7 @@ private:
         m_rolling = glm::cross(kUp, heading);
         const Uniform phase = uniform(Vec3(m_pull.accelerationAlong(inPlane(heading)), 0.0));
         if (isNoSlip(moment, moment.radius * turning) || !isCollinear(m_rolling, phase.spinAcceleration)) return;
-        return runOn(phase, stopOf(phase));
+        return runOn(phase, phase.endOfRolling(m_rolling, 0));
     }
 
     Uniform uniform(const Vec3 &a) const {
@@ -112,14 +112,7 @@ private:
         a[along] = m_pull.accelerationAlong(along, heading);
         m_rolling = glm::cross(kUp, way);
         const Uniform phase = uniform(a);
-        return runOn(phase, stopOf(phase));
-    }
-
-    /// When resistance stops a ball that rolls straight on.
-    End stopOf(const Uniform &phase) const {
-        const double speed = glm::dot(m_spin, m_rolling), slows = -glm::dot(phase.spinAcceleration, m_rolling);
-        const bool ends = m_pull.resistance() > 0.0 && slows > 0.0 && speed > 0.0;
-        return ends ? End{speed / slows, Cause::stop, 0} : End();
+        return runOn(phase, m_pull.resistance() > 0.0 ? phase.endOfRolling(m_rolling, 0) : End());
     }
 
     /// Friction and drive press the ball against a smooth face, and the slip turns: model.md 14.2.
@@ -158,10 +151,8 @@ private:
         Vec3 a = m_level - B * m_slipping;
         a[m_rests] = 0.0;
         const Uniform phase{m_ball.motion.velocity, a, m_spin, -kInertia / R * glm::cross(kUp, -B * m_slipping)};
-        const Vec3 rate = a - R * glm::cross(phase.spinAcceleration, kUp);
-        if (!isCollinear(slip, rate)) return;
-        const double slows = -glm::dot(rate, slip);
-        const End end = slows > 0.0 ? End{glm::dot(slip, slip) / slows, Cause::grip, 0} : End();
+        if (!isCollinear(slip, a - R * glm::cross(phase.spinAcceleration, kUp))) return;
+        const End end = phase.endOfSlip(slip, kUp, R, 0);
         const int along = 1 - m_rests;
         const double rolling = phase.velocity[along] - 2.0 / 7.0 * slip[along] + 5.0 / 7.0 * end.after * m_level[along];
         if (!(end.after < m_ball.left) || std::abs(rolling) > kUnsure * speedScale(m_ball.moment())) runOn(phase, end);
@@ -351,13 +342,10 @@ private:
         return phase.losses(t);
     }
     Losses losses(const Uniform &phase, double t) const {
+        const phys_params &params = m_ball.params();
         const double R = m_ball.radius();
-        const Vec3 middle = phase.spinAt(0.5 * t);
-        const Vec3 slip = phase.at(0.5 * t).velocity - R * glm::cross(middle, kUp);
-        const double rubbing = m_ball.params().sliding_friction * m_pull.pressure * t;
-        const double turning = std::abs(glm::dot(middle, m_rolling));
-        return {rubbing * std::abs(glm::dot(slip, m_slipping)),
-                m_rolls ? m_ball.params().rolling_friction * m_pull.pressure * R * t * turning : 0.0};
+        return {params.sliding_friction * m_pull.pressure * t * phase.meanSlip(t, m_slipping, kUp, R),
+                m_rolls ? params.rolling_friction * m_pull.pressure * R * t * phase.meanSpin(t, m_rolling) : 0.0};
     }
 
     template<class Phase>
