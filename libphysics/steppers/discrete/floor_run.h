@@ -276,7 +276,7 @@ private:
             double &drive = law.A[face.axis];
             if (keeps) {
                 if (leaves(face, ball.velocity)) continue;
-                speed = 0.0;
+                if (speed != 0.0) speed = 0.0; // a zero keeps its sign, as in a region
                 presses[i] = drive * face.normal < 0.0;
                 if (presses[i]) drive = 0.0;
             } else if (isTouched(face) && drive * face.normal < -speed * face.normal / m_h) {

@@ -443,9 +443,9 @@ double SweptStep::timeToStopOrRoll(double end) {
     const Vec3 slip = slipOnTop(m_ball);
     const double slipSpeed = glm::length(slip);
     const bool slips = slipSpeed > kRolling * (speed + m_context.radius() * glm::length(m_ball.spin));
-    if (slips && m_isAlone) { // beside other contacts it turns on its way and ends in a short phase: see above
-        const Vec3 direction = slip / slipSpeed;
-        m_roll = timeToZero(end, slipSpeed, [&](const Ball &ball) { return glm::dot(slipOnTop(ball), direction); });
+    if (slips && m_isAlone) { // it may turn on its way; beside other contacts it ends in a short phase: see above
+        const Law<Vec2> law = slippingLaw(m_context.params());
+        m_roll = ResistedLaw(inPlane(slip), law.A, law.B).stopTime();
     } else if (!slips && m_resists && speed > 0.0) { // resistance acts on a rolling ball
         const Vec3 direction = m_ball.velocity / speed;
         m_stop = timeToZero(end, speed, [&](const Ball &ball) { return glm::dot(ball.velocity, direction); });

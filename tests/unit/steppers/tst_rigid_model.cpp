@@ -64,6 +64,7 @@ private slots:
     void roughWallLiftsTheBall();
     void slipEndsInTheComputedVelocity_data() { addStepperRows(); }
     void slipEndsInTheComputedVelocity();
+    void resistanceBeginsWhereATurningSlipEnds();
     void spinAboutTheVerticalIsFree_data() { addStepperRows(); }
     void spinAboutTheVerticalIsFree();
     void rollsLikeTheRollingModelWhereFrictionHolds_data() { addStepperRows(); }
@@ -205,6 +206,26 @@ void TestRigidModel::slipEndsInTheComputedVelocity() {
                        0.0027207722601183883503 + 0.18060702829987581534 * after - 5.0 / 14.0 * 0.5 * after * after,
                        slack);
         COMPARE_EXACT(ball.state.spin.z, 15.0);
+    }
+}
+
+/// On a slope a slip turns before it ends: where it is across its first direction, nothing ends yet.
+void TestRigidModel::resistanceBeginsWhereATurningSlipEnds() {
+    const auto scene = SceneBuilder().ball(0.01).floor(-1, -1, 1, 1).start(0, 0);
+    for (int direction = 0; direction < 8; ++direction) {
+        Experiment swept = rigid(scene, "swept", 0.2), exact = rigid(scene, "exact", 0.2);
+        for (Experiment *ball : {&swept, &exact}) {
+            ball->params.gravity = {5.0, 0.0, -9.0};
+            ball->params.rolling_friction = 0.1;
+            ball->state.velocity = {0.04 * std::cos(direction), 0.04 * std::sin(direction), 0.0};
+            QVERIFY2(ball->step(0.05), ball->error());
+            QVERIFY(!(ball->state.flags & PHYS_SLIPPING));
+        }
+        // The way that it rolls after that turns by less, in a step of second order.
+        COMPARE_WITHIN(swept.state.velocity.x, exact.state.velocity.x, 1e-4);
+        COMPARE_WITHIN(swept.state.velocity.y, exact.state.velocity.y, 1e-4);
+        COMPARE_WITHIN(swept.state.position.x, exact.state.position.x, 1e-5);
+        COMPARE_WITHIN(swept.state.position.y, exact.state.position.y, 1e-5);
     }
 }
 
