@@ -404,13 +404,15 @@ bool leaveOverlaps(const StepContext &context, Ball &ball) {
     return pushed.isFree;
 }
 
-void payForLift(const StepContext &context, const Vec3 &way, Ball &ball) {
+bool payForLift(const StepContext &context, const Vec3 &way, Ball &ball) {
     const double lifted = -glm::dot(context.setting.gravity(), way);
-    if (!(lifted > 0.0)) return;
+    if (!(lifted > 0.0)) return true;
     const double kinetic = kineticEnergy(context, motionOf(ball));
-    const double share = kinetic > lifted ? std::sqrt(1.0 - lifted / kinetic) : 0.0;
+    if (lifted > kinetic) return false;
+    const double share = std::sqrt(1.0 - lifted / kinetic);
     ball.velocity *= share;
     ball.spin *= share;
+    return true;
 }
 
 bool rests(const StepContext &context, Ball &ball) {

@@ -146,8 +146,8 @@ Vec3 leastWay(std::span<Push> pushes, double negligible);
 /// Moves the ball out of all boxes without changing its velocity. False if there is no room for it.
 bool leaveOverlaps(const StepContext &context, Ball &ball);
 
-/// Reduces a ball's kinetic energy by that of a push that lifted it by `way`.
-void payForLift(const StepContext &context, const Vec3 &way, Ball &ball);
+/// Reduces a ball's kinetic energy by that of a push that lifted it by `way`. False if it has less.
+bool payForLift(const StepContext &context, const Vec3 &way, Ball &ball);
 
 /// Whether a velocity is so small that `rests` must be evaluated, which is rarely so for a moving ball.
 inline bool mayRest(const Setting &setting, const Vec3 &velocity) {

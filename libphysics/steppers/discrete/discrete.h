@@ -262,11 +262,8 @@ private:
             meetAll(start, ways, contacts, ball);
         }
         const Vec3 reached = ball.position;
-        if (leaveOverlaps(m_context, ball)) {
-            payForLift(m_context, ball.position - reached, ball);
-            return true;
-        }
-        // The ball doesn't fit at the end of its motion; at the start it did.
+        if (leaveOverlaps(m_context, ball) && payForLift(m_context, ball.position - reached, ball)) return true;
+        // The ball doesn't fit at the end of its motion, or is too slow to climb out there; at the start it did.
         ball = before;
         ball.velocity = Vec3(0.0);
         ball.spin = Vec3(0.0);

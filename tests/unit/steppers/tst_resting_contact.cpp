@@ -130,6 +130,7 @@ private slots:
     void hopTooLowToRiseTakesNoFriction();
     void hopTooLowToRiseIsNoRolling_data() { addSteppersThatLocateEvents(); }
     void hopTooLowToRiseIsNoRolling();
+    void longStepLiftsNoBallThatCannotPayForIt();
 };
 
 void TestRestingContact::withoutCuresElasticBallHeatsUpAsPredicted_data() {
@@ -560,6 +561,17 @@ void TestRestingContact::hopTooLowToRiseIsNoRolling() {
     QVERIFY2(ball.step(dt), ball.error());
     const double gained = 2.0 * (5.0 / 7.0 * (dt - kHops) + kHops);
     COMPARE_WITHIN(ball.state.velocity.x, 0.5 + gained, 1e-2 * kHops);
+}
+
+/// Rolling against a low kerb at 50 ms.
+void TestRestingContact::longStepLiftsNoBallThatCannotPayForIt() {
+    const phys_box kerb{{0.0, 0.000442, 0.0}, {0.000417, 0.0007, 0.00268932}};
+    const auto scene = SceneBuilder().ball(0.006).floor(-1, -1, 1, 1).box(kerb).start(-0.006577, 0.0);
+    Experiment ball(scene, "symplectic-euler");
+    ball.setLaw(0.0, 0.0, 0.0);
+    ball.roll(0.057874, 0.00835);
+    QVERIFY2(ball.step(0.05), ball.error());
+    QVERIFY(ball.report.energy_after <= ball.report.energy_before);
 }
 
 QTEST_GUILESS_MAIN(TestRestingContact)
