@@ -3,10 +3,9 @@
 
 #include "contact/coulomb_newton.h"
 #include "contact/held.h"
+#include "contact/least_push.h"
 
 #include <cmath>
-#include <initializer_list>
-#include <numeric>
 
 namespace phys {
 
@@ -61,84 +60,6 @@ Vec3 resistanceOf(const Lasting &contact, const Motion &motion, double most) {
 
 } // namespace
 
-namespace {
-
-/// Up to three pressing contacts without friction and resistance.
-class Pressing {
-public:
-    explicit Pressing(const Vec3 &unpressed)
-        : m_unpressed(unpressed) {}
-
-    /// Finds the reactions that give each contact its least speed. False if their normals are linearly dependent.
-    bool solve(std::initializer_list<Lasting *> contacts) {
-        constexpr int kRounds = 3; // the later ones correct the rounding of the first
-        m_count = 0;
-        for (Lasting *contact : contacts) m_contacts[m_count] = contact, m_reactions[m_count++] = 0.0;
-        m_velocity = m_unpressed;
-        for (int i = 0; m_count > 0 && i < kRounds; ++i) {
-            if (!correct()) return false;
-            m_velocity = m_unpressed;
-            for (uint32_t k = 0; k < m_count; ++k) m_velocity += m_reactions[k] * m_contacts[k]->lever;
-        }
-        return true;
-    }
-
-    bool areNoPulls(double negligible) const {
-        return std::all_of(m_reactions.begin(), m_reactions.begin() + m_count,
-                           [&](double reaction) { return reaction >= -negligible; });
-    }
-    double sum() const { return std::accumulate(m_reactions.begin(), m_reactions.begin() + m_count, 0.0); }
-    const Vec3 &velocity() const { return m_velocity; }
-    void store() const {
-        for (uint32_t k = 0; k < m_count; ++k) m_contacts[k]->reaction = std::max(0.0, m_reactions[k]);
-    }
-
-private:
-    double missing(uint32_t k) const { return m_contacts[k]->slow - glm::dot(m_contacts[k]->limit, m_velocity); }
-    double perReaction(uint32_t of, uint32_t by) const {
-        return glm::dot(m_contacts[of]->limit, m_contacts[by]->lever);
-    }
-
-    bool correct() {
-        if (m_count == 1) {
-            m_reactions[0] += missing(0) / perReaction(0, 0);
-            return true;
-        }
-        return m_count == 2 ? correctTwo() : correctThree();
-    }
-
-    bool correctTwo() {
-        const Lasting &a = *m_contacts[0], &b = *m_contacts[1];
-        const double determinant = glm::dot(glm::cross(a.limit, b.limit), glm::cross(a.lever, b.lever));
-        if (determinant == 0.0) return false;
-        const double ofA = missing(0), ofB = missing(1);
-        m_reactions[0] += (ofA * perReaction(1, 1) - ofB * perReaction(0, 1)) / determinant;
-        m_reactions[1] += (ofB * perReaction(0, 0) - ofA * perReaction(1, 0)) / determinant;
-        return true;
-    }
-
-    bool correctThree() {
-        const Lasting &a = *m_contacts[0], &b = *m_contacts[1], &c = *m_contacts[2];
-        const double volume = glm::dot(a.lever, glm::cross(b.lever, c.lever));
-        const double limitVolume = glm::dot(a.limit, glm::cross(b.limit, c.limit));
-        if (volume == 0.0 || limitVolume == 0.0) return false;
-        const Vec3 all = (missing(0) * glm::cross(b.limit, c.limit) + missing(1) * glm::cross(c.limit, a.limit) +
-                          missing(2) * glm::cross(a.limit, b.limit)) /
-                         limitVolume;
-        m_reactions[0] += glm::dot(all, glm::cross(b.lever, c.lever)) / volume;
-        m_reactions[1] += glm::dot(all, glm::cross(c.lever, a.lever)) / volume;
-        m_reactions[2] += glm::dot(all, glm::cross(a.lever, b.lever)) / volume;
-        return true;
-    }
-
-    Vec3 m_unpressed, m_velocity{0.0};
-    std::array<Lasting *, 3> m_contacts{};
-    std::array<double, 3> m_reactions{};
-    uint32_t m_count = 0;
-};
-
-} // namespace
-
 /// One Gauss-Seidel sweep, each contact in closed form; arePressed: the reactions are already those of all contacts.
 /// Returns the largest change, m/s.
 double LastingContacts::sweep(double rollingFriction, bool arePressed, Motion &motion) {
@@ -188,44 +109,25 @@ bool LastingContacts::shareLoads() const {
 double LastingContacts::pressTogether(double negligible, Motion &motion) {
     Vec3 unpressed = motion.velocity;
     for (const Lasting &contact : *this) unpressed -= contact.reaction * contact.lever;
-    Pressing pressing(unpressed), least(unpressed);
-    double leastSum = INFINITY;
-    const auto isEnough = [&] {
-        return pressing.areNoPulls(negligible) && std::all_of(begin(), end(), [&](const Lasting &contact) {
-                   return glm::dot(contact.limit, pressing.velocity()) >= contact.slow - 8.0 * negligible;
-               });
-    };
-    const auto fit = [&](std::initializer_list<Lasting *> contacts) {
-        if (!pressing.solve(contacts) || !isEnough()) return;
-        const double sum = pressing.sum();
-        if (!(sum < leastSum - negligible)) return;
-        leastSum = sum;
-        least = pressing;
-    };
-    const auto isFound = [&] { return leastSum < INFINITY; };
-    m_work->add(Work::kPush * count() * count());
-    fit({});
-    for (Lasting *a = begin(); a != end() && !isFound(); ++a) fit({a}); // no several ones press less
-    if (!isFound()) {
-        for (Lasting *a = begin(); a != end(); ++a) {
-            for (Lasting *b = a + 1; b != end(); ++b) fit({a, b});
-        }
-        // Three that aren't independent press no less than two of them.
-        if (!isFound() || count() > 3) {
-            for (Lasting *a = begin(); a != end(); ++a) {
-                for (Lasting *b = a + 1; b != end(); ++b) {
-                    for (Lasting *c = b + 1; c != end(); ++c) fit({a, b, c});
-                }
-            }
-        }
+    const double enough = 8.0 * negligible;
+    std::array<Push, kMostContacts> pushes;
+    bool anyPresses = false;
+    for (uint32_t i = 0; i < count(); ++i) {
+        const Lasting &contact = (*this)[i];
+        const double along = glm::dot(contact.limit, contact.lever);
+        const double missing = contact.slow - glm::dot(contact.limit, unpressed);
+        pushes[i] = {contact.lever, missing / along, contact.limit / along};
+        anyPresses = anyPresses || missing > enough;
     }
-    if (!isFound()) return kNotPressed;
-    for (Lasting &contact : *this) contact.reaction = 0.0;
-    least.store();
+    const std::optional<Vec3> pressed =
+        anyPresses ? leastPushOfFew({pushes.data(), count()}, enough, *m_work) : Vec3(0.0);
+    if (!pressed) return kNotPressed;
+    for (uint32_t i = 0; i < count(); ++i) (*this)[i].reaction = pushes[i].amount;
     for (Lasting &contact : *this) contact.isIdle = contact.isGlued && isIdle(contact);
-    const Vec3 change = least.velocity() - motion.velocity;
-    motion.velocity = least.velocity();
-    return size(change);
+    const Vec3 velocity = unpressed + *pressed;
+    const double changed = size(velocity - motion.velocity);
+    motion.velocity = velocity;
+    return changed;
 }
 
 /// Whether two other contacts press whose normals are in one plane with the contact's, which therefore doesn't.

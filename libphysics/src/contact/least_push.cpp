@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contact/least_push.h"
 
+#include "base/subsets.h"
 #include "contact/short_list.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace phys {
 namespace {
 
 constexpr int kMostPushSweeps = 4000;
+constexpr double kRoundingOfSum = 4.0 * 0x1p-52; // of a sum, as a share of its terms
 
 Vec3 sumOf(std::span<const Push> pushes) {
     Vec3 sum(0.0);
@@ -20,16 +22,50 @@ Vec3 sumOf(std::span<const Push> pushes) {
     return sum;
 }
 
-/// The largest violation by the amounts: too little along a normal, too much for a positive amount, or a pull. 0 or
+double missingFrom(const Vec3 &sum, const Push &push) { return push.wanted - glm::dot(push.limit, sum); }
+
+/// The largest violation by the amounts: too little along a limit, too much for a positive amount, or a pull. 0 or
 /// less: they fit.
 double misfit(std::span<const Push> pushes) {
     const Vec3 sum = sumOf(pushes);
     double worst = -INFINITY;
     for (const Push &push : pushes) {
-        const double missing = push.wanted - glm::dot(push.normal, sum);
+        const double missing = missingFrom(sum, push);
         worst = std::max({worst, push.amount > 0.0 ? std::abs(missing) : missing, -push.amount});
     }
     return worst;
+}
+
+template<size_t Size>
+using Few = std::array<const Push *, Size>;
+template<size_t Size>
+using Amounts = std::array<double, Size>;
+
+/// The amounts with which these pushes alone give exactly what is wanted; nothing if their normals are dependent.
+std::optional<Amounts<1>> amountsOf(const Few<1> &, const Amounts<1> &wanted) { return wanted; }
+
+std::optional<Amounts<2>> amountsOf(const Few<2> &pushes, const Amounts<2> &wanted) {
+    const auto [a, b] = pushes;
+    // 1 - (a.limit . b.normal)(b.limit . a.normal) without cancellation
+    const double determinant = glm::dot(glm::cross(a->limit, b->limit), glm::cross(a->normal, b->normal));
+    if (determinant == 0.0) return {};
+    return {{(wanted[0] - glm::dot(a->limit, b->normal) * wanted[1]) / determinant,
+             (wanted[1] - glm::dot(b->limit, a->normal) * wanted[0]) / determinant}};
+}
+
+/// Three limits determine the sum; its components in the basis of the normals are the amounts.
+std::optional<Amounts<3>> amountsOf(const Few<3> &pushes, const Amounts<3> &wanted) {
+    const auto [a, b, c] = pushes;
+    const Vec3 bc = glm::cross(b->normal, c->normal);
+    const Vec3 ca = glm::cross(c->normal, a->normal);
+    const Vec3 ab = glm::cross(a->normal, b->normal);
+    const double volume = glm::dot(a->normal, bc);
+    const double limitVolume = glm::dot(a->limit, glm::cross(b->limit, c->limit));
+    if (volume == 0.0 || limitVolume == 0.0) return {};
+    const Vec3 sum = (wanted[0] * glm::cross(b->limit, c->limit) + wanted[1] * glm::cross(c->limit, a->limit) +
+                      wanted[2] * glm::cross(a->limit, b->limit)) /
+                     limitVolume;
+    return {{glm::dot(sum, bc) / volume, glm::dot(sum, ca) / volume, glm::dot(sum, ab) / volume}};
 }
 
 /// Tries subsets of positive amounts, of which it takes the one that fits with the least sum: more normals than
@@ -41,122 +77,86 @@ public:
         , m_negligible(negligible)
         , m_work(work) {}
 
-    bool one() {
-        return std::any_of(m_pushes.begin(), m_pushes.end(), [&](Push &a) { return fits<1>({&a}, {a.wanted}); });
-    }
-
-    bool two() {
-        Fitting fitting;
-        for (size_t i = 0; i < m_pushes.size(); ++i) {
-            for (size_t j = i + 1; j < m_pushes.size(); ++j) {
-                if (fitsTwo(m_pushes[i], m_pushes[j])) consider(fitting);
-            }
+    /// Whether the amounts of any subset fit: then the pushes have them.
+    bool any() {
+        if (std::none_of(m_pushes.begin(), m_pushes.end(), [](const Push &push) { return push.wanted > 0.0; })) {
+            for (Push &push : m_pushes) push.amount = 0.0;
+            return true;
         }
-        return take(fitting);
+        if (any<1>()) return true;
+        // Three that are dependent push no less than two of them.
+        const bool areEnough = any<2>() && m_pushes.size() <= 3;
+        return areEnough || any<3>();
     }
 
-    bool three() {
-        Fitting fitting;
-        for (size_t i = 0; i < m_pushes.size(); ++i) {
-            for (size_t j = i + 1; j < m_pushes.size(); ++j) {
-                for (size_t k = j + 1; k < m_pushes.size(); ++k) {
-                    if (fitsThree(m_pushes[i], m_pushes[j], m_pushes[k])) consider(fitting);
-                }
-            }
-        }
-        return take(fitting);
-    }
-
-    double least() const { return m_least; }
-    void takeBest() {
-        for (Push &push : m_pushes) push.amount = 0.0;
-        for (size_t i = 0; i < m_bestCount; ++i) m_best[i]->amount = m_bestAmounts[i];
-    }
+    double smallestMisfit() const { return m_smallestMisfit; }
+    void takeBest() { set(m_best); }
 
 private:
-    /// The amounts of least sum so far.
-    struct Fitting {
-        double sum = INFINITY;
-        std::array<double, kMostContacts> amounts;
-    };
-    void consider(Fitting &fitting) const {
-        double sum = 0.0;
-        for (const Push &push : m_pushes) sum += push.amount;
-        if (!(sum < fitting.sum - m_negligible)) return;
-        fitting.sum = sum;
-        for (size_t i = 0; i < m_pushes.size(); ++i) fitting.amounts[i] = m_pushes[i].amount;
-    }
-    bool take(const Fitting &fitting) {
-        if (fitting.sum == INFINITY) return false;
-        for (size_t i = 0; i < m_pushes.size(); ++i) m_pushes[i].amount = fitting.amounts[i];
-        return true;
+    template<size_t Size>
+    bool any() {
+        anySubset<Size>(static_cast<uint32_t>(m_pushes.size()), [&](const std::array<uint32_t, Size> &subset) {
+            const bool fits = this->fits(subset);
+            if (fits) consider();
+            return fits && Size == 1; // no several ones push less
+        });
+        if (m_leastSum < INFINITY) set(m_least);
+        return m_leastSum < INFINITY;
     }
 
-    template<size_t Count>
-    bool fits(const std::array<Push *, Count> &pushes, const std::array<double, Count> &amounts) {
+    void set(const Amounts<kMostContacts> &amounts) {
+        for (size_t i = 0; i < m_pushes.size(); ++i) m_pushes[i].amount = amounts[i];
+    }
+    void store(Amounts<kMostContacts> &amounts) const {
+        for (size_t i = 0; i < m_pushes.size(); ++i) amounts[i] = m_pushes[i].amount;
+    }
+
+    void consider() {
+        const double sum = sumOfAmounts();
+        if (!(sum < m_leastSum - m_negligible)) return;
+        m_leastSum = sum;
+        store(m_least);
+    }
+
+    template<size_t Size>
+    bool fits(const std::array<uint32_t, Size> &subset) {
+        constexpr int kRounds = Size == 1 ? 1 : 3; // the later ones correct the rounding of the first
         m_work.add(Work::kPush * m_pushes.size());
         for (Push &push : m_pushes) push.amount = 0.0;
-        for (size_t i = 0; i < Count; ++i) pushes[i]->amount = amounts[i];
+        Few<Size> chosen;
+        for (size_t i = 0; i < Size; ++i) chosen[i] = &m_pushes[subset[i]];
+        Vec3 sum(0.0);
+        for (int round = 0; round < kRounds; ++round) {
+            Amounts<Size> missing;
+            for (size_t i = 0; i < Size; ++i) missing[i] = missingFrom(sum, *chosen[i]);
+            const std::optional<Amounts<Size>> more = amountsOf(chosen, missing);
+            if (!more) return false;
+            sum = Vec3(0.0);
+            for (size_t i = 0; i < Size; ++i) {
+                Push &push = m_pushes[subset[i]];
+                push.amount += (*more)[i];
+                sum += push.amount * push.normal;
+            }
+        }
         const double missed = misfit(m_pushes);
-        if (missed < m_least) {
-            m_least = missed;
-            m_bestCount = Count;
-            std::copy(pushes.begin(), pushes.end(), m_best.begin());
-            std::copy(amounts.begin(), amounts.end(), m_bestAmounts.begin());
+        if (missed < m_smallestMisfit) {
+            m_smallestMisfit = missed;
+            store(m_best);
         }
-        return missed <= m_negligible;
+        return missed <= m_negligible + kRoundingOfSum * sumOfAmounts();
     }
 
-    /// amountsFor(wanted): the amounts of a subset. Its residual is corrected where rounding keeps the amounts from
-    /// fitting.
-    template<size_t Count, class AmountsFor>
-    bool fitsCorrected(const std::array<Push *, Count> &pushes, AmountsFor amountsFor) {
-        constexpr int kMostCorrections = 3;
-        std::array<double, Count> wanted, amounts{};
-        for (size_t i = 0; i < Count; ++i) wanted[i] = pushes[i]->wanted;
-        for (int correction = 0; correction <= kMostCorrections; ++correction) {
-            const std::array<double, Count> more = amountsFor(wanted);
-            Vec3 sum(0.0);
-            for (size_t i = 0; i < Count; ++i) sum += (amounts[i] += more[i]) * pushes[i]->normal;
-            if (fits(pushes, amounts)) return true;
-            if (std::any_of(amounts.begin(), amounts.end(), [&](double amount) { return amount < -m_negligible; }))
-                break;
-            for (size_t i = 0; i < Count; ++i) wanted[i] = pushes[i]->wanted - glm::dot(pushes[i]->normal, sum);
-        }
-        return false;
-    }
-
-    bool fitsTwo(Push &a, Push &b) {
-        const double cosine = glm::dot(a.normal, b.normal);
-        const Vec3 axis = glm::cross(a.normal, b.normal);
-        const double determinant = glm::dot(axis, axis); // 1 - cosine^2 without cancellation
-        if (determinant == 0.0) return false;
-        return fitsCorrected<2>({&a, &b}, [&](const std::array<double, 2> &wanted) {
-            return std::array{(wanted[0] - cosine * wanted[1]) / determinant,
-                              (wanted[1] - cosine * wanted[0]) / determinant};
-        });
-    }
-
-    /// Three independent normals determine the sum; its components in their basis are the amounts.
-    bool fitsThree(Push &a, Push &b, Push &c) {
-        const Vec3 bc = glm::cross(b.normal, c.normal);
-        const Vec3 ca = glm::cross(c.normal, a.normal);
-        const Vec3 ab = glm::cross(a.normal, b.normal);
-        const double volume = glm::dot(a.normal, bc);
-        if (volume == 0.0) return false;
-        return fitsCorrected<3>({&a, &b, &c}, [&](const std::array<double, 3> &wanted) {
-            const Vec3 sum = (wanted[0] * bc + wanted[1] * ca + wanted[2] * ab) / volume;
-            return std::array{glm::dot(sum, bc) / volume, glm::dot(sum, ca) / volume, glm::dot(sum, ab) / volume};
-        });
+    double sumOfAmounts() const {
+        double sum = 0.0;
+        for (const Push &push : m_pushes) sum += push.amount;
+        return sum;
     }
 
     std::span<Push> m_pushes;
     double m_negligible;
     Work &m_work;
-    double m_least = INFINITY;
-    std::array<Push *, 3> m_best{};
-    std::array<double, 3> m_bestAmounts{};
-    size_t m_bestCount = 0;
+    double m_leastSum = INFINITY, m_smallestMisfit = INFINITY;
+    Amounts<kMostContacts> m_least, m_best;
 };
 
 /// For nearly parallel or opposite normals, where no subset fits because of rounding. Ends where the amounts grow
@@ -172,7 +172,7 @@ void sweep(std::span<Push> pushes, double negligible, Work &work) {
         work.add(Work::kPush * pushes.size());
         largest = 0.0;
         for (Push &push : pushes) {
-            const double amount = std::max(0.0, push.amount + push.wanted - glm::dot(push.normal, sum));
+            const double amount = std::max(0.0, push.amount + missingFrom(sum, push));
             sum += (amount - push.amount) * push.normal;
             largest = std::max(largest, std::abs(amount - push.amount));
             push.amount = amount;
@@ -181,16 +181,26 @@ void sweep(std::span<Push> pushes, double negligible, Work &work) {
     }
 }
 
+/// Drops those that are rounding. Returns the sum.
+Vec3 withoutPulls(std::span<Push> pushes) {
+    for (Push &push : pushes) push.amount = std::max(0.0, push.amount);
+    return sumOf(pushes);
+}
+
 } // namespace
 
 Vec3 leastPush(std::span<Push> pushes, double negligible, Work &work) {
     Search search(pushes, negligible, work);
-    if (!search.one() && !search.two() && !search.three()) {
+    if (!search.any()) {
         sweep(pushes, negligible, work);
-        if (search.least() < misfit(pushes)) search.takeBest();
+        if (search.smallestMisfit() < misfit(pushes)) search.takeBest();
     }
-    for (Push &push : pushes) push.amount = std::max(0.0, push.amount);
-    return sumOf(pushes);
+    return withoutPulls(pushes);
+}
+
+std::optional<Vec3> leastPushOfFew(std::span<Push> pushes, double negligible, Work &work) {
+    if (!Search(pushes, negligible, work).any()) return {};
+    return withoutPulls(pushes);
 }
 
 } // namespace phys
