@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "contact/closed_modes.h"
 
+#include "base/subsets.h"
 #include "contact/held.h"
+
+#include <optional>
 
 namespace phys {
 
@@ -28,84 +31,75 @@ bool allows(const Smooth &smooth, const Vec3 &a, uint32_t among, uint32_t but) {
     return true;
 }
 
-/// Forces of two contacts that keep both closed; false if they are parallel or one would have to pull.
-bool pushOfTwo(const Smooth &smooth, const Vec3 &a, uint32_t i, uint32_t j, double &first, double &second) {
-    const Held &one = smooth.held[i], &other = smooth.held[j];
+/// The forces of contacts that keep all of them closed.
+template<size_t Size>
+struct Closing {
+    std::array<double, Size> sizes;
+    Vec3 a; ///< the acceleration with them
+};
+
+std::optional<Closing<1>> closing(const Smooth &smooth, const Vec3 &a, const std::array<uint32_t, 1> &number) {
+    const double size = -smooth.approach(number[0], a);
+    if (size <= 0.0) return {};
+    return Closing<1>{{size}, a + size * smooth.held[number[0]].normal};
+}
+
+/// Nothing if they are parallel or one would have to pull.
+std::optional<Closing<2>> closing(const Smooth &smooth, const Vec3 &a, const std::array<uint32_t, 2> &number) {
+    const Held &one = smooth.held[number[0]], &other = smooth.held[number[1]];
     const double c = glm::dot(one.normal, other.normal);
     const Vec3 line = glm::cross(one.normal, other.normal);
     const double determinant = glm::dot(line, line);
-    if (determinant == 0.0) return false;
-    const double x = -smooth.approach(i, a), y = -smooth.approach(j, a);
+    if (determinant == 0.0) return {};
+    const double x = -smooth.approach(number[0], a), y = -smooth.approach(number[1], a);
     // (x - c y)/(1 - c^2), written without the cancellation that nearly equal normals would cause.
     const double apart =
         glm::dot(other.normal - one.normal, a) + curvature(smooth.moment, other) - curvature(smooth.moment, one);
-    first = c > 0.5 ? x / (1.0 + c) + c * apart / determinant : (x - c * y) / determinant;
-    second = c > 0.5 ? y / (1.0 + c) - c * apart / determinant : (y - c * x) / determinant;
-    return first >= 0.0 && second >= 0.0;
+    const double first = c > 0.5 ? x / (1.0 + c) + c * apart / determinant : (x - c * y) / determinant;
+    const double second = c > 0.5 ? y / (1.0 + c) - c * apart / determinant : (y - c * x) / determinant;
+    if (!(first >= 0.0 && second >= 0.0)) return {};
+    return Closing<2>{{first, second}, a + (first * one.normal + second * other.normal)};
 }
 
-/// Forces of three contacts that keep all closed; false if they are dependent or one would have to pull. Three normals
-/// that are nearly in one plane push hard: unlike those of two, their equations are of the angle's first power.
-bool pushOfThree(const Smooth &smooth, Vec3 &a, const std::array<uint32_t, 3> &number, std::array<double, 3> &sizes) {
+/// Nothing if they are dependent or one would have to pull. Three normals that are nearly in one plane push hard:
+/// unlike those of two, their equations are of the angle's first power.
+std::optional<Closing<3>> closing(const Smooth &smooth, const Vec3 &a, const std::array<uint32_t, 3> &number) {
     const auto normal = [&](size_t i) { return smooth.held[number[i % 3]].normal; };
     const double volume = glm::dot(normal(0), glm::cross(normal(1), normal(2)));
-    if (std::abs(volume) <= smooth.moment.rounding) return false;
-    Vec3 held(0.0);
+    if (std::abs(volume) <= smooth.moment.rounding) return {};
+    Closing<3> closing{{}, Vec3(0.0)};
     for (size_t i = 0; i < 3; ++i) {
         const double bend = curvature(smooth.moment, smooth.held[number[i]]);
-        held -= bend / volume * glm::cross(normal(i + 1), normal(i + 2));
+        closing.a -= bend / volume * glm::cross(normal(i + 1), normal(i + 2));
     }
     for (size_t i = 0; i < 3; ++i) {
-        sizes[i] = glm::dot(held - a, glm::cross(normal(i + 1), normal(i + 2))) / volume;
-        if (!(sizes[i] >= 0.0)) return false;
+        closing.sizes[i] = glm::dot(closing.a - a, glm::cross(normal(i + 1), normal(i + 2))) / volume;
+        if (!(closing.sizes[i] >= 0.0)) return {};
     }
-    a = held;
-    return true;
+    return closing;
 }
 
-/// Adds the forces of the contacts of a set to a; false if more than three of them have to push.
-bool pushSmooth(const Smooth &smooth, uint32_t among, Vec3 &a, std::array<double, kMostHeld> &push) {
-    const uint32_t count = static_cast<uint32_t>(smooth.held.size());
-    if (allows(smooth, a, among, 0)) return true;
-    // Pairs are tried first: if two contacts share a load, one alone would seem to carry it within rounding.
-    for (uint32_t i = 0; i < count; ++i) {
-        for (uint32_t j = i + 1; j < count; ++j) {
-            double first = 0.0, second = 0.0;
-            if (!(among >> i & 1U) || !(among >> j & 1U) || !pushOfTwo(smooth, a, i, j, first, second)) continue;
-            const Vec3 pushed = a + (first * smooth.held[i].normal + second * smooth.held[j].normal);
-            if (!allows(smooth, pushed, among, 1U << i | 1U << j)) continue;
-            push[i] = first;
-            push[j] = second;
-            a = pushed;
-            return true;
-        }
-    }
-    for (uint32_t i = 0; i < count; ++i) {
-        if (!(among >> i & 1U)) continue;
-        const double size = -smooth.approach(i, a);
-        const Vec3 pushed = a + size * smooth.held[i].normal;
-        if (size <= 0.0 || !allows(smooth, pushed, among, 1U << i)) continue;
-        push[i] = size;
-        a = pushed;
+/// Whether the forces of so many contacts of a set keep all closed: adds them.
+template<size_t Size>
+bool pushBy(const Smooth &smooth, uint32_t among, Vec3 &a, std::array<double, kMostHeld> &push) {
+    const auto count = static_cast<uint32_t>(smooth.held.size());
+    return anySubset<Size>(count, [&](const std::array<uint32_t, Size> &number) {
+        uint32_t bits = 0;
+        for (const uint32_t i : number) bits |= 1U << i;
+        if ((among & bits) != bits) return false;
+        const std::optional<Closing<Size>> pushed = closing(smooth, a, number);
+        if (!pushed || !allows(smooth, pushed->a, among, bits)) return false;
+        for (size_t i = 0; i < Size; ++i) push[number[i]] = pushed->sizes[i];
+        a = pushed->a;
         return true;
-    }
-    for (uint32_t i = 0; i < count; ++i) {
-        for (uint32_t j = i + 1; j < count; ++j) {
-            for (uint32_t k = j + 1; k < count; ++k) {
-                const uint32_t bits = 1U << i | 1U << j | 1U << k;
-                std::array<double, 3> sizes{};
-                Vec3 pushed = a;
-                if ((among & bits) != bits || !pushOfThree(smooth, pushed, {i, j, k}, sizes)) continue;
-                if (!allows(smooth, pushed, among, bits)) continue;
-                push[i] = sizes[0];
-                push[j] = sizes[1];
-                push[k] = sizes[2];
-                a = pushed;
-                return true;
-            }
-        }
-    }
-    return false;
+    });
+}
+
+/// Adds the forces of the contacts of a set to a; false if more than three of them have to push. Pairs are tried first:
+/// if two contacts share a load, one alone would seem to carry it within rounding.
+bool pushSmooth(const Smooth &smooth, uint32_t among, Vec3 &a, std::array<double, kMostHeld> &push) {
+    return allows(smooth, a, among, 0) || pushBy<2>(smooth, among, a, push) || pushBy<1>(smooth, among, a, push) ||
+           pushBy<3>(smooth, among, a, push);
 }
 
 /// Sets the modes. A contact that neither pushes nor opens is kept closed, so that the next moment finds it.

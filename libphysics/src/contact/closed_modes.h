@@ -7,7 +7,7 @@
 
 namespace phys {
 
-/// Only smooth contacts, bits `among`: they act as on a point mass. False if more than two of them push.
+/// Only smooth contacts, bits `among`: they act as on a point mass. False if more than three of them have to push.
 bool respondSmooth(const Moment &moment, std::span<const Held> held, uint32_t among, double zero, Response &response);
 
 /// A ball on a floor whose other contacts, bits `among`, are vertical faces without friction: the floor carries the
