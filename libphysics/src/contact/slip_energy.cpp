@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "contact/slip_energy.h"
 
+#include "contact/dense.h"
+
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace phys {
 
@@ -13,7 +14,7 @@ namespace {
 constexpr int kSweepsBetween = 50;
 constexpr int kMostNewtonSteps = 40;
 /// Newton's steps are made for at most this many discs, whose system is kept on the stack; for more, sweeps must do.
-constexpr size_t kMostInNewtonStep = 12;
+constexpr size_t kMostInNewtonStep = dense::kMostUnknowns / 2;
 
 /// A unit impulse changes the slip of its own contact by 7/2.
 constexpr double kSlipShare = 2.0 / 7.0;
@@ -55,44 +56,6 @@ double residual(std::span<const FrictionDisc> discs, double radius, const Motion
     return sum;
 }
 
-/// A small dense linear system, solved by elimination with pivoting.
-class LinearSystem {
-public:
-    static constexpr size_t kMost = 2 * kMostInNewtonStep;
-
-    explicit LinearSystem(size_t size)
-        : m_size(size) {}
-
-    double &at(size_t row, size_t column) { return m_rows[row][column]; }
-    double &rightSide(size_t row) { return m_rows[row][m_size]; }
-
-    /// The solution is in rightSide afterwards. False if the system is singular.
-    bool solve() {
-        for (size_t column = 0; column < m_size; ++column) {
-            size_t pivot = column;
-            for (size_t row = column + 1; row < m_size; ++row) {
-                if (std::abs(at(row, column)) > std::abs(at(pivot, column))) pivot = row;
-            }
-            if (!(std::abs(at(pivot, column)) > kRounding)) return false;
-            std::swap(m_rows[pivot], m_rows[column]);
-            for (size_t row = 0; row < m_size; ++row) {
-                if (row != column) eliminate(row, column);
-            }
-        }
-        for (size_t row = 0; row < m_size; ++row) rightSide(row) /= at(row, row);
-        return true;
-    }
-
-private:
-    void eliminate(size_t row, size_t column) {
-        const double factor = at(row, column) / at(column, column);
-        for (size_t k = column; k <= m_size; ++k) m_rows[row][k] -= factor * m_rows[column][k];
-    }
-
-    size_t m_size;
-    std::array<std::array<double, kMost + 1>, kMost> m_rows{};
-};
-
 /// Two directions across a disc's normal: that of its target, and the one perpendicular to both. Reflections and
 /// quarter turns preserve them, so that computations in them are independent of the axes.
 struct Frame {
@@ -128,28 +91,28 @@ void newtonStep(std::span<FrictionDisc> discs, double radius, Motion &motion, Wo
     work.add(Work::kDisc * count * count * (4 + count));
     std::array<Frame, kMostInNewtonStep> frames;
     for (size_t i = 0; i < count; ++i) frames[i] = frameOf(discs[i], radius, motion);
-    LinearSystem system(2 * count);
+    dense::Equations equations(static_cast<uint32_t>(2 * count));
     for (size_t i = 0; i < count; ++i) {
         const std::array<double, 2> slope = frames[i].clippingSlope(discs[i].most);
         const Vec3 wrong = discs[i].impulse - clipped(frames[i].target, discs[i].most);
         for (size_t row = 0; row < 2; ++row) {
-            system.rightSide(2 * i + row) = -glm::dot(wrong, frames[i][row]);
+            dense::Values &factors = equations.add(-glm::dot(wrong, frames[i][row]));
             for (size_t j = 0; j < count; ++j) {
                 for (size_t column = 0; column < 2; ++column) {
                     const double change =
                         slipSlope(discs[i].normal, frames[i][row], discs[j].normal, frames[j][column]);
-                    system.at(2 * i + row, 2 * j + column) = kSlipShare * slope[row] * change;
+                    factors[2 * j + column] = kSlipShare * slope[row] * change;
                 }
             }
-            system.at(2 * i + row, 2 * i + row) += 1.0 - slope[row];
+            factors[2 * i + row] += 1.0 - slope[row];
         }
     }
-    if (!system.solve()) return;
+    const dense::Values steps = equations.solve();
     std::array<FrictionDisc, kMostInNewtonStep> next;
     Motion moved = motion;
     for (size_t i = 0; i < count; ++i) {
         next[i] = discs[i];
-        const Vec3 step = system.rightSide(2 * i) * frames[i].along + system.rightSide(2 * i + 1) * frames[i].across;
+        const Vec3 step = steps[2 * i] * frames[i].along + steps[2 * i + 1] * frames[i].across;
         next[i].impulse = clipped(discs[i].impulse + step, discs[i].most);
         apply(next[i].normal, next[i].impulse - discs[i].impulse, radius, moved);
     }
