@@ -279,9 +279,11 @@ void TimePlot::loadBeside(Curve &curve) {
     if (!curve.beside && !hasAny) return;
     if (!curve.beside) {
         curve.beside = addGraph();
-        curve.beside->removeFromLegend();
+        curve.beside->setName(tr("Pale: another run"));
         takeColours();
     }
+    const bool isNamed = hasAny && &curve == &m_curves.front(); // once for all curves
+    isNamed ? curve.beside->addToLegend() : curve.beside->removeFromLegend();
     QVector<QCPGraphData> points;
     if (hasAny)
         for (const Sample &sample : *m_context.beside)

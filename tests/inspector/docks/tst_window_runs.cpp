@@ -42,6 +42,7 @@ private slots:
     void parametersOfARunAreThoseThatArentInitial();
     void tickedRunIsShownBesideTheOthers();
     void runIsTickedInItsMenuByKeys();
+    void runBesideIsNamedInTheLegend();
     void runBesideIsOfItsMaze();
     void runShownIsMarked();
     void recordingWithoutStepsIsNotSaved_data();
@@ -249,6 +250,22 @@ void TestWindowRuns::runIsTickedInItsMenuByKeys() {
     m_fixture->key(Qt::Key_Return);
     QCOMPARE(runs->topLevelItem(1)->checkState(0), Qt::Checked);
     QCOMPARE(runs->topLevelItem(0)->checkState(0), Qt::Unchecked);
+}
+
+void TestWindowRuns::runBesideIsNamedInTheLegend() {
+    QCPLegend *legend = m_fixture->find<inspector::ui::PlotStack>("plots")->first().legend;
+    const int before = legend->itemCount();
+    tick(0);
+    m_fixture->trigger("show_plot_dock"); // in front of the runs
+    m_fixture->window().refresh();
+    QCOMPARE(legend->itemCount(), before + 1);
+    auto *named = qobject_cast<QCPPlottableLegendItem *>(legend->item(before));
+    QCOMPARE(named->plottable()->name(), QString("Pale: another run"));
+    m_fixture->trigger("show_runs_dock");
+    tick(0);
+    m_fixture->trigger("show_plot_dock");
+    m_fixture->window().refresh();
+    QCOMPARE(legend->itemCount(), before);
 }
 
 void TestWindowRuns::runBesideIsOfItsMaze() {
