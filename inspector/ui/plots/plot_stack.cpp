@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_stack.h"
 
-#include "ui/files/picture_file.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/plots/plot_file.h"
 #include "ui/plots/quantity_menu.h"
 
 #include <QContextMenuEvent>
 #include <QFileInfo>
-#include <QImage>
 #include <QMenu>
-#include <QPainter>
 #include <QSettings>
 
 #include <algorithm>
@@ -214,18 +211,27 @@ void PlotStack::remember() {
 
 bool PlotStack::save(const QString &path, QString *error) {
     drawAll();
-    const bool isPicture = QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0;
-    if (!isPicture || count() == 1) return first().save(path, error);
-    QImage whole(size() * kPictureScale, QImage::Format_RGB32);
-    whole.fill(palette().color(QPalette::Base));
-    QPainter painter(&whole);
+    const bool isTable = QFileInfo(path).suffix().compare(QLatin1String("csv"), Qt::CaseInsensitive) == 0;
+    if (isTable || count() == 1) return first().save(path, error);
+    int lowest = kLeastPlotHeight;
+    QList<QCustomPlot *> shown;
     for (int i = 0; i < count(); ++i) {
         auto *plot = qobject_cast<QCustomPlot *>(widget(i));
         if (!plot || plot->isHidden()) continue;
-        painter.drawPixmap(plot->pos() * kPictureScale, plot->toPixmap(plot->width(), plot->height(), kPictureScale));
+        shown += plot;
+        lowest = std::clamp(plot->height(), 1, lowest);
     }
-    painter.end();
-    return savePicture(whole, path, error);
+    const auto stretched = [lowest](const QWidget *plot) { return plot->height() * kLeastPlotHeight / lowest; };
+    std::vector<PlacedPlot> plots;
+    int top = 0;
+    for (QCustomPlot *plot : shown) {
+        plots.push_back({*plot, {0, top, width(), stretched(plot)}});
+        top += stretched(plot);
+    }
+    for (QuantityPlot *plot : m_plots) plot->dressForPicture(stretched(plot));
+    const bool isSaved = savePlots(plots, {width(), top}, path, error);
+    for (QuantityPlot *plot : m_plots) plot->dressForWindow();
+    return isSaved;
 }
 
 } // namespace inspector::ui

@@ -42,7 +42,7 @@ public:
     /// Fills one plot's context menu.
     void fillMenu(QMenu &menu, QWidget *plot);
 
-    /// Like TimePlot::save(), with all plots in one picture.
+    /// Like TimePlot::save(), with all plots in one picture or document; the lowest is made high enough for its label.
     bool save(const QString &path, QString *error);
 
 signals:

@@ -75,7 +75,7 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     axisRect()->setMinimumSize(50, 20);
     layOutLegend();
     takeColours();
-    fitLabels();
+    fitLabels(height());
     connect(m_time.get(), &TimeView::changed, this, [this] { m_isStale = true; });
     connect(xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), m_time.get(), &TimeView::setRange);
     xAxis->setRange(m_time->range());
@@ -115,9 +115,9 @@ void TimePlot::leaveOutLegend() {
 }
 
 /// A low plot leaves the labels of its axes out: for the lower one there is no room, and the others would be cut.
-void TimePlot::fitLabels() {
+void TimePlot::fitLabels(int height) {
     constexpr int kLeastLines = 7; // of text
-    const bool isLow = height() < kLeastLines * fontMetrics().height();
+    const bool isLow = height < kLeastLines * fontMetrics().height();
     xAxis->setLabel(isLow ? QString() : tr("Time [s]"));
     for (QCPAxis *axis : {yAxis, yAxis2})
         axis->setLabelColor(isLow ? QColor(Qt::transparent) : palette().color(QPalette::Text));
@@ -223,7 +223,7 @@ void TimePlot::refresh() {
     }
     loadBesides(shownTimes());
     fitLegend();
-    fitLabels();
+    fitLabels(height());
     fitChart(*this);
     leaveOutLegend();
     if (m_fitsValues && newest) fitValues();
@@ -459,6 +459,16 @@ std::optional<Sample> TimePlot::sampleAt(double time) const {
 QString TimePlot::hint() const {
     const QString text = tr("Wheel: zoom · drag: move · double click: follow");
     return m_text->lineWidth(text) <= roomBesideLegend() ? text : QString();
+}
+
+void TimePlot::dressForPicture(int height) {
+    m_text->setVisible(m_readOut.has_value());
+    fitLabels(height);
+}
+
+void TimePlot::dressForWindow() {
+    m_text->setVisible(true);
+    fitLabels(height());
 }
 
 void TimePlot::updateReadOut() {

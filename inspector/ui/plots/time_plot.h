@@ -50,6 +50,10 @@ public:
     void showBounces(std::vector<double> times, std::optional<double> selected);
     void setContext(const RunContext &context);
 
+    /// Until dressForWindow() the plot has what a picture of that height, in screen pixels, has: labels if there is
+    /// room for them, and no hint on how to use it.
+    void dressForPicture(int height);
+    void dressForWindow();
     /// Writes, by the name's suffix, .csv (all samples since clear()), .png or .pdf (the picture). Returns false, with
     /// one line in `error` (may be nullptr), on failure.
     bool save(const QString &path, QString *error);
@@ -106,7 +110,7 @@ protected:
 private:
     void fitLegend();
     void leaveOutLegend();
-    void fitLabels();
+    void fitLabels(int height);
     void layOutLegend(); ///< in one line, with the read-out if there is room
     void zoomTime(double factor);
     void zoomValues(double factor);

@@ -8,8 +8,13 @@ namespace inspector::ui {
 
 bool TimePlot::save(const QString &path, QString *error) {
     refresh();
-    if (!path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) return savePlot(*this, size(), path, error);
-    return saveSamples(path, m_samples, m_time->clearedAt(), columns(), error);
+    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
+        return saveSamples(path, m_samples, m_time->clearedAt(), columns(), error);
+    const QSize picture = size().expandedTo({0, kLeastPlotHeight});
+    dressForPicture(picture.height());
+    const bool isSaved = savePlot(*this, picture, path, error);
+    dressForWindow();
+    return isSaved;
 }
 
 } // namespace inspector::ui
