@@ -90,7 +90,7 @@ void TradeChart::arrange() {
     const bool isBeside = width() >= kWide;
     wrapLegend(isBeside);
     const bool hasRoom = isBeside || hasRoomBelow();
-    legend->setVisible(hasRoom && !m_points.empty()); // without curves there is nothing to name
+    legend->setVisible(hasRoom && !m_description.points().empty()); // without curves there is nothing to name
     QCPLayoutGrid *wanted = !hasRoom ? nullptr : isBeside ? m_beside : m_below;
     if (legend->layout() == wanted) return;
     if (legend->layout()) legend->layout()->take(legend);

@@ -4,9 +4,8 @@
 #include "core/setup/files.h"
 #include "core/trade/trade_svg.h"
 #include "core/trade/trade_table.h"
-#include "ui/plots/plot_file.h"
-#include "ui/trade/trade_chart.h"
 #include "ui/trade/trade_dock.h"
+#include "ui/trade/trade_picture.h"
 #include "ui/trade/trade_table_model.h"
 
 #include <QClipboard>
@@ -30,7 +29,7 @@ bool TradeDock::save(const QString &path, QString *error) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QLatin1String("csv")) return saveTable(path, error);
     if (suffix == QLatin1String("svg")) return replaceFile(path, tradeSvg(describedChart()), error);
-    return savePlot(*m_chart, m_chart->size(), path, error);
+    return writeTradePicture(describedChart(), path, error);
 }
 
 bool TradeDock::saveTable(const QString &path, QString *error) const {

@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QFile>
 #include <QGuiApplication>
+#include <QImage>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
@@ -24,6 +25,7 @@ private slots:
     void nothingIsSavedBeforeAMeasurement();
     void figuresAreSaved_data();
     void figuresAreSaved();
+    void savedChartNamesItsCurves();
     void savedTableHasItsSettingsBeside();
     void rowsAreCopiedAsTextAndTable();
 
@@ -84,6 +86,19 @@ void TestTradeFiles::figuresAreSaved() {
     QFile file(saved(name.constData()));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.read(beginning.size()), beginning);
+}
+
+// Right of the curves, also where the dock has no room for it.
+void TestTradeFiles::savedChartNamesItsCurves() {
+    m_dock->resize(400, 300);
+    QString error;
+    QVERIFY2(m_dock->save(saved("trade.png"), &error), qPrintable(error));
+    const QImage picture(saved("trade.png"));
+    int drawn = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = picture.width() * 85 / 100; x < picture.width(); ++x)
+            drawn += picture.pixel(x, y) != qRgb(255, 255, 255);
+    QVERIFY2(drawn > 500, qPrintable(QString::number(drawn)));
 }
 
 // Those of the measurement, whatever is set since.
