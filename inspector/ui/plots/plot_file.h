@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QRect>
+#include <QSize>
 #include <QString>
 
 #include <vector>
@@ -10,7 +11,7 @@ class QCustomPlot;
 
 namespace inspector::ui {
 
-constexpr int kLeastPlotHeight = 240; ///< screen pixels in a picture: with room for the axis's label
+constexpr QSize kLeastPlotSize(640, 240); ///< screen pixels in a picture, however small the dock: room for all labels
 
 /// A plot of a picture, in screen pixels.
 struct PlacedPlot {

@@ -213,7 +213,7 @@ bool PlotStack::save(const QString &path, QString *error) {
     drawAll();
     const bool isTable = QFileInfo(path).suffix().compare(QLatin1String("csv"), Qt::CaseInsensitive) == 0;
     if (isTable || count() == 1) return first().save(path, error);
-    int lowest = kLeastPlotHeight;
+    int lowest = kLeastPlotSize.height();
     QList<QCustomPlot *> shown;
     for (int i = 0; i < count(); ++i) {
         auto *plot = qobject_cast<QCustomPlot *>(widget(i));
@@ -221,15 +221,16 @@ bool PlotStack::save(const QString &path, QString *error) {
         shown += plot;
         lowest = std::clamp(plot->height(), 1, lowest);
     }
-    const auto stretched = [lowest](const QWidget *plot) { return plot->height() * kLeastPlotHeight / lowest; };
+    const auto stretched = [lowest](const QWidget *plot) { return plot->height() * kLeastPlotSize.height() / lowest; };
+    const int wide = std::max(width(), kLeastPlotSize.width());
     std::vector<PlacedPlot> plots;
     int top = 0;
     for (QCustomPlot *plot : shown) {
-        plots.push_back({*plot, {0, top, width(), stretched(plot)}});
+        plots.push_back({*plot, {0, top, wide, stretched(plot)}});
         top += stretched(plot);
     }
     for (QuantityPlot *plot : m_plots) plot->dressForPicture(stretched(plot));
-    const bool isSaved = savePlots(plots, {width(), top}, path, error);
+    const bool isSaved = savePlots(plots, {wide, top}, path, error);
     for (QuantityPlot *plot : m_plots) plot->dressForWindow();
     return isSaved;
 }

@@ -10,7 +10,7 @@ bool TimePlot::save(const QString &path, QString *error) {
     refresh();
     if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
         return saveSamples(path, m_samples, m_time->clearedAt(), columns(), error);
-    const QSize picture = size().expandedTo({0, kLeastPlotHeight});
+    const QSize picture = size().expandedTo(kLeastPlotSize);
     dressForPicture(picture.height());
     const bool isSaved = savePlot(*this, picture, path, error);
     dressForWindow();

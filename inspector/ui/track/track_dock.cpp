@@ -324,7 +324,7 @@ bool TrackDock::save(const QString &path, QString *error) {
         return false;
     }
     if (!path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
-        return savePlot(*m_residuals, m_residuals->size(), path, error);
+        return savePlot(*m_residuals, m_residuals->size().expandedTo(kLeastPlotSize), path, error);
     const FitPlan &plan = m_outcome->plan;
     const QStringList report =
         fitReport(plan, *m_outcome->fit) + QStringList("options: " + fitOptions(*m_outcome->fit));

@@ -9,6 +9,7 @@
 #include "ui/track/fit_table.h"
 #include "ui/track/residual_plot.h"
 
+#include <QImage>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -37,6 +38,7 @@ private slots:
     void resultSaysOfWhichParametersItIs();
     void resultSaysOfWhichFrameItIs();
     void resultIsSavedWithWhatItBeganWith();
+    void savedPictureIsLargeEnoughHoweverSmallTheDock();
     void takeOverSetsWhatTheFitAssumed();
     void onlyWhatIsTickedIsLookedFor();
     void typedBeginningsCount();
@@ -263,6 +265,15 @@ void TestTrackDock::resultIsSavedWithWhatItBeganWith() {
         QVERIFY2(beside.contains(line), qPrintable(QString("%1 in %2").arg(QString(line), QString(beside))));
     QVERIFY2(m_dock->save(m_folder.filePath("fit.png"), &error), qPrintable(error));
     QVERIFY(!m_dock->save(m_folder.filePath("fit.doc"), &error) && error.contains("fit.doc"));
+}
+
+// At two pixels per screen pixel.
+void TestTrackDock::savedPictureIsLargeEnoughHoweverSmallTheDock() {
+    fitOnce();
+    m_dock->findChild<ResidualPlot *>()->resize(200, 100);
+    QString error;
+    QVERIFY2(m_dock->save(m_folder.filePath("fit.png"), &error), qPrintable(error));
+    QCOMPARE(QImage(m_folder.filePath("fit.png")).size(), QSize(1280, 480));
 }
 
 void TestTrackDock::takeOverSetsWhatTheFitAssumed() {
