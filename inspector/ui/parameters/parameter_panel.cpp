@@ -13,6 +13,7 @@
 #include <QGridLayout>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QToolButton>
 #include <QUndoStack>
 
 #include <cmath>
