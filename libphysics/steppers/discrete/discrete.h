@@ -254,19 +254,21 @@ private:
             Reporter silent;
             DiscreteStep trial(m_context.setting, silent, m_context.work, m_plan, m_h);
             trial.meetAll(start, ways, contacts, ball);
-            ball = before;
-            Work again; // a report must not change the status
-            DiscreteStep reporting(m_context.setting, m_context.report, again, m_plan, m_h);
-            reporting.meet(start, ways, contacts, ball);
         } else {
             meetAll(start, ways, contacts, ball);
         }
         const Vec3 reached = ball.position;
-        if (leaveOverlaps(m_context, ball) && payForLift(m_context, ball.position - reached, ball)) return true;
-        // The ball doesn't fit at the end of its motion, or is too slow to climb out there; at the start it did.
-        ball = before;
-        ball.velocity = Vec3(0.0);
-        ball.spin = Vec3(0.0);
+        if (!leaveOverlaps(m_context, ball) || !payForLift(m_context, ball.position - reached, ball)) {
+            // The ball doesn't fit at the end of its motion, or is too slow to climb out there; at the start it did.
+            ball = before;
+            ball.velocity = Vec3(0.0);
+            ball.spin = Vec3(0.0);
+        } else if (m_context.report.wanted()) {
+            Work again; // a report must not change the status
+            DiscreteStep reporting(m_context.setting, m_context.report, again, m_plan, m_h);
+            Ball reported = before;
+            reporting.meet(start, ways, contacts, reported);
+        }
         return true;
     }
 
