@@ -44,7 +44,8 @@ void TestHistory::init() {
 // Tilts anew every 20 steps.
 void TestHistory::play(uint64_t steps) {
     for (uint64_t i = 0; i < steps; ++i) {
-        const double angle = 0.3 * double(m_states.size() / 20);
+        const size_t tilts = m_states.size() / 20;
+        const double angle = 0.3 * double(tilts);
         if (m_states.size() % 20 == 0) m_engine->setInputs(tilted(6.0 * std::sin(angle), 6.0 * std::cos(angle)));
         QString error;
         if (!m_engine->step(&error)) qFatal("%s", qPrintable(error));

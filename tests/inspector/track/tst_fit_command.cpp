@@ -94,7 +94,7 @@ QString TestFitCommand::tableOf(double scale, const QByteArray &rows) {
             for (const int i : {1, 2}) cells[i] = QByteArray::number(cells[i].toDouble() * scale);
         text += cells.join(',') + '\n';
     }
-    const QString path = m_folder.filePath("table.csv");
+    QString path = m_folder.filePath("table.csv");
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly)) qFatal("can't be written");
     file.write(text);
