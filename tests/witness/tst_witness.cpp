@@ -71,6 +71,8 @@ class Witness : public QObject {
 private slots:
     void bruteForceConvergesToTheReferences_data();
     void bruteForceConvergesToTheReferences();
+    void bruteForcePressesWithTheLeastSum_data();
+    void bruteForcePressesWithTheLeastSum();
     void bruteForceNeverMakesEnergy();
     void bruteForceFollowsTheMirror();
     void aClosedWallCantBePassed();
@@ -100,6 +102,30 @@ void Witness::bruteForceConvergesToTheReferences() {
     QVERIFY2(fine.place < 1e-8L && fine.velocity < 1e-7L, figures);
     QVERIFY2(fine.place <= coarse.place + 1e-9L, figures);
     QVERIFY2(fine.isRestRight, "rest");
+}
+
+void Witness::bruteForcePressesWithTheLeastSum_data() {
+    QTest::addColumn<double>("spin");
+    QTest::addColumn<bool>("isOnFloor");
+    QTest::newRow("onto the steep edge") << 20.0 << false;
+    QTest::newRow("onto the flat edge") << -20.0 << true;
+}
+
+/// A ball spins in a slot whose bottom and smooth edges it touches. Friction of the bottom would drive it onto an edge:
+/// onto the steep one, with a sum of pressures 2 % larger than that of the edges alone, which therefore carry it; onto
+/// the flat one, with a smaller sum.
+void Witness::bruteForcePressesWithTheLeastSum() {
+    QFETCH(double, spin);
+    QFETCH(bool, isOnFloor);
+    constexpr double kRadius = 5.0;
+    const std::vector<phys_box> boxes = {
+        {{-9, -9, -9}, {9, 9, 0}}, {{-9, -9, 0}, {-1.4, 9, 0.2}}, {{4, -9, 0}, {9, 9, 2}}};
+    const Law law{true, kRadius, {0, 0, -10}, 0, 0, 0.5, 0, 0};
+    Motion motion = {{0, 0, kRadius}, {0, 0, 0}, {0, spin, 0}};
+    BruteForce force(boxes, kRadius);
+    QVERIFY(force.run(law, 0.1L, motion));
+    QCOMPARE(std::abs(motion.spin.y - spin) > 1e-12L, isOnFloor);
+    QVERIFY(length(motion.place - Vector{0, 0, kRadius}) < 1e-12L);
 }
 
 /// Over random scenes of all kinds: kinetic and potential energy after each hundredth of a second.

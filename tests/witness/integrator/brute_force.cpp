@@ -164,41 +164,27 @@ bool BruteForce::releaseOpposite(std::vector<Contact> &contacts) const {
     return isReleased;
 }
 
-/// Three coplanar normals, as of upright edges, allow pressures that move nothing, but that friction depends on. Of the
-/// contacts that the ball doesn't leave, the law lets those press that do so with the least sum. Returns whether the
-/// sum was larger.
-bool BruteForce::shiftPressure(Real scale, const Motion &end, std::vector<Contact> &contacts) const {
-    bool isShifted = false;
-    const auto isClosed = [&](const Contact &c) {
-        return !c.isMerged && std::abs(dot(c.touch.normal, end.velocity)) <= 1e3L * kUlp * scale;
-    };
-    const auto shift = [&](const std::array<Contact *, 3> &three) {
-        if (!std::all_of(three.begin(), three.end(), [&](const Contact *c) { return isClosed(*c); })) return;
-        std::array<Vector, 3> lines;
-        Vector axis;
-        for (size_t i = 0; i < 3; ++i) {
-            lines[i] = cross(three[(i + 1) % 3]->touch.normal, three[(i + 2) % 3]->touch.normal);
-            if (length(lines[i]) > length(axis)) axis = lines[i];
-        }
-        if (std::abs(dot(lines[0], three[0]->touch.normal)) > 1e3L * kUlp) return; // independent
-        const auto part = [&](size_t i) { return dot(lines[i], axis); }; // those of pressures that move nothing
-        const Real sum = part(0) + part(1) + part(2);
-        Real most = std::numeric_limits<Real>::infinity();
-        for (size_t i = 0; i < 3; ++i) {
-            if (part(i) * sum > 0) most = std::min(most, three[i]->pressure / std::abs(part(i)));
-        }
-        if (!(most * std::abs(sum) > kUlp * scale)) return;
-        for (size_t i = 0; i < 3; ++i) {
-            three[i]->pressure = std::max<Real>(0, three[i]->pressure - std::copysign(most, sum) * part(i));
-        }
-        isShifted = true;
-    };
-    for (size_t i = 0; i < contacts.size(); ++i) {
-        for (size_t j = i + 1; j < contacts.size(); ++j) {
-            for (size_t k = j + 1; k < contacts.size(); ++k) shift({&contacts[i], &contacts[j], &contacts[k]});
+/// Whether the normals of some contacts are linearly dependent, those of opposite ones aside.
+bool BruteForce::areDependent(const std::vector<Contact> &contacts, const std::vector<size_t> &some) const {
+    constexpr Real kFlat = 1e3L * kUlp;
+    for (size_t i = 0; i < some.size(); ++i) {
+        for (size_t j = i + 1; j < some.size(); ++j) {
+            const Vector line = cross(contacts[some[i]].touch.normal, contacts[some[j]].touch.normal);
+            for (size_t k = j + 1; k < some.size(); ++k) {
+                if (some.size() > 3 || std::abs(dot(line, contacts[some[k]].touch.normal)) <= kFlat) return true;
+            }
         }
     }
-    return isShifted;
+    return false;
+}
+
+/// Takes back what a contact does to the ball; it is left out from then on.
+void BruteForce::release(Contact &c, Motion &end) const {
+    end.velocity -= c.pressure * c.touch.normal + c.friction;
+    end.spin += (5 / (2 * m_radius)) * cross(c.touch.normal, c.friction) - c.resistance;
+    c.pressure = 0;
+    c.friction = c.resistance = {};
+    c.isMerged = true;
 }
 
 /// Coulomb's law for all contacts together: one after the other until nothing changes.
@@ -216,8 +202,48 @@ void BruteForce::sweep(const Law &law, Real scale, bool withResistance, std::vec
             c.pressure = pressure;
             change = std::max(change, length(withResistance && c.isRolling ? rollOn(law, c, end) : rub(law, c, end)));
         }
-        if (releaseOpposite(contacts) || change > kUlp * scale) continue;
-        if (!shiftPressure(scale, end, contacts)) return;
+        if (!releaseOpposite(contacts) && change <= kUlp * scale) return;
+    }
+}
+
+/// The same. Normals that depend on one another, as of a slot's bottom and both of its edges, leave it open which
+/// contacts carry the ball, and friction depends on that. The law takes those with the smallest sum of pressures.
+void BruteForce::press(const Law &law, Real scale, bool withResistance, std::vector<Contact> &contacts,
+                       Motion &end) const {
+    sweep(law, scale, withResistance, contacts, end);
+    const Real none = 1e3L * kUlp * scale;
+    std::vector<size_t> closed;
+    for (size_t i = 0; i < contacts.size(); ++i) {
+        const Contact &c = contacts[i];
+        if (!c.isMerged && std::abs(dot(c.touch.normal, end.velocity)) <= none) closed.push_back(i);
+    }
+    if (!areDependent(contacts, closed)) return;
+    const std::vector<Contact> all = contacts;
+    const Motion pressed = end;
+    Real least = std::numeric_limits<Real>::infinity();
+    for (unsigned open = 1; open + 1 < 1U << closed.size(); ++open) {
+        std::vector<size_t> left;
+        for (size_t i = 0; i < closed.size(); ++i) {
+            if (!(open >> i & 1U)) left.push_back(closed[i]);
+        }
+        if (areDependent(contacts, left)) continue;
+        std::vector<Contact> some = all;
+        Motion motion = pressed;
+        for (size_t i = 0; i < closed.size(); ++i) {
+            if (open >> i & 1U) release(some[closed[i]], motion);
+        }
+        sweep(law, scale, withResistance, some, motion);
+        Real sum = 0;
+        bool isAdmissible = true;
+        for (size_t i = 0; i < some.size(); ++i) {
+            sum += some[i].pressure;
+            isAdmissible = isAdmissible && (all[i].isMerged || dot(some[i].touch.normal, motion.velocity) >= -none);
+            some[i].isMerged = all[i].isMerged;
+        }
+        if (!isAdmissible || sum >= least) continue;
+        least = sum;
+        contacts = some;
+        end = motion;
     }
 }
 
@@ -277,7 +303,7 @@ Motion BruteForce::implicitEuler(const Law &law, const Motion &start, Real h, st
                 end.velocity += c.pressure * c.touch.normal + c.friction;
                 end.spin += c.resistance - (5 / (2 * m_radius)) * cross(c.touch.normal, c.friction);
             }
-            sweep(law, scale, withResistance, contacts, end);
+            press(law, scale, withResistance, contacts, end);
             if (withResistance && contacts.size() > 1 && law.isRigid) relax(law, scale, end, contacts);
             if (length(end.velocity - before.velocity) + m_radius * length(end.spin - before.spin) <= 8 * kUlp * scale)
                 break;

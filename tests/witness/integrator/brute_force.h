@@ -45,13 +45,15 @@ private:
     std::vector<Contact> lasting(const Law &law, const Motion &motion) const;
     Trial attempt(const Law &law, const Motion &start, Real h, const std::vector<Contact> &contacts) const;
     bool releaseOpposite(std::vector<Contact> &contacts) const;
-    bool shiftPressure(Real scale, const Motion &end, std::vector<Contact> &contacts) const;
+    bool areDependent(const std::vector<Contact> &contacts, const std::vector<size_t> &some) const;
+    void release(Contact &c, Motion &end) const;
     void relax(const Law &law, Real scale, const Motion &end, std::vector<Contact> &contacts) const;
     Motion implicitEuler(const Law &law, const Motion &start, Real h, std::vector<Contact> &contacts) const;
     void lookWhereTheyEnd(const Law &law, const Vector &place, std::vector<Contact> &contacts) const;
     Vector rub(const Law &law, Contact &c, Motion &end) const;
     Vector rollOn(const Law &law, Contact &c, Motion &end) const;
     void sweep(const Law &law, Real scale, bool withResistance, std::vector<Contact> &contacts, Motion &end) const;
+    void press(const Law &law, Real scale, bool withResistance, std::vector<Contact> &contacts, Motion &end) const;
     Real firstOverlap(const Motion &start, const Motion &end, Real h, const std::vector<Contact> &contacts) const;
     bool changesFeature(const Motion &start, const Motion &end, const std::vector<Contact> &contacts) const;
     bool reverses(const Law &law, const Motion &start, const Trial &trial) const;
