@@ -241,11 +241,21 @@ uint32_t onlyFace(const Touching &touching, const Response &response) {
         }
         return false;
     };
-    uint32_t closed = kMostHeld;
+    uint32_t closed = kMostHeld, idle = 0;
     for (uint32_t i = 0; i < touching.count(); ++i) {
-        if (!isClosed(response, i) || isIdle(i)) continue;
+        if (!isClosed(response, i)) continue;
+        if (isIdle(i)) {
+            idle |= 1U << i;
+            continue;
+        }
         if (closed != kMostHeld || !touching.contactOf(i).isFace()) return kMostHeld;
         closed = i;
+    }
+    if (closed == kMostHeld || idle == 0) return closed;
+    const Vec3 friction = tangential(response.reactions[closed].force, touching.held(closed).normal);
+    for (uint32_t i = 0; i < touching.count(); ++i) { // friction that holds the ball off a wall turns with the slip
+        const double push = std::abs(glm::dot(friction, touching.held(i).normal));
+        if ((idle >> i & 1U) && push > response.noise) return kMostHeld;
     }
     return closed;
 }
