@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 namespace witness {
 
@@ -97,6 +98,45 @@ bool hasUndecidedGap(const Case &scene, const phys_vec3 &centre) {
         }
     }
     return false;
+}
+
+namespace {
+
+/// Whether forces along three normals in one plane can balance.
+bool balance(const Vector &a, const Vector &b, const Vector &c) {
+    constexpr Real kFlat = 1e-9L;
+    const Vector axis = cross(a, b);
+    if (length(axis) < kFlat || std::abs(dot(axis, c)) > kFlat) return false;
+    return dot(cross(b, c), axis) > 0 && dot(cross(c, a), axis) > 0;
+}
+
+/// Numbers of the boxes between which the ball is held across a line.
+std::set<size_t> throatAt(const Case &scene, const phys_vec3 &centre) {
+    std::vector<size_t> touched;
+    std::vector<Vector> normals;
+    for (size_t i = 0; i < scene.boxes.size(); ++i) {
+        const Touch touch = touchOf(scene.boxes[i], vectorOf(centre), scene.radius);
+        if (std::abs(touch.gap) > 1e-9L * scene.radius) continue;
+        touched.push_back(i);
+        normals.push_back(touch.normal);
+    }
+    std::set<size_t> held;
+    for (size_t i = 0; i < touched.size(); ++i) {
+        for (size_t j = i + 1; j < touched.size(); ++j) {
+            for (size_t k = j + 1; k < touched.size(); ++k) {
+                if (balance(normals[i], normals[j], normals[k])) held.insert({touched[i], touched[j], touched[k]});
+            }
+        }
+    }
+    return held;
+}
+
+} // namespace
+
+bool passesThroat(const Case &scene, const std::vector<phys_vec3> &places) {
+    return std::any_of(places.begin(), places.end(), [&](const phys_vec3 &place) {
+        return throatAt(scene, place) != throatAt(scene, places.front());
+    });
 }
 
 std::vector<Motion> Truth::run(const Law &law, Motion motion, Real tolerance) const {

@@ -22,6 +22,10 @@ constexpr int kWays = 14; ///< of disturbing a motion
 /// happens at its mouth.
 bool hasUndecidedGap(const Case &scene, const phys_vec3 &centre);
 
+/// Whether the ball enters or leaves a throat of three contacts that it exactly fits, on its way between these places.
+/// Inside, its centre has a line left, or nothing: as in a gap of its diameter, rounding decides whether it gets there.
+bool passesThroat(const Case &scene, const std::vector<phys_vec3> &places);
+
 /// The motion by brute force, and how far it deviates if it is disturbed a little.
 class Truth {
 public:

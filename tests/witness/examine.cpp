@@ -293,6 +293,7 @@ private:
         if (!difference || difference->apart <= 1e-8 * m_scene.radius + kAmplified * difference->spread) return;
         const auto isUndecided = [&](const phys_vec3 &centre) { return hasUndecidedGap(m_scene, centre); };
         if (std::any_of(difference->places.begin(), difference->places.end(), isUndecided)) return;
+        if (passesThroat(m_scene, difference->places)) return;
         complain("split", "in three parts the step of %.3g s leads %.3g m away; a start off by 1e-12 makes %.3g m",
                  leg.dt, difference->apart, difference->spread);
     }

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "case.h"
+#include "converge.h"
 #include "draw.h"
 #include "free_space.h"
 #include "integrator/brute_force.h"
@@ -79,6 +80,7 @@ private slots:
     void aWallWithAnEndCanBeWalkedAroundIfThereIsTime();
     void partsOfAStepShowAnErrorOfItsSize_data();
     void partsOfAStepShowAnErrorOfItsSize();
+    void aThroatIsPassedWhereOneOfItsThreeContactsEnds();
     void aCaseReadsBackAsItWasWritten();
     void aWrongLineOfACaseIsNamed();
     void aKnownFaultIsMatchedByItsWords();
@@ -218,6 +220,18 @@ void Witness::partsOfAStepShowAnErrorOfItsSize() {
     const std::optional<SplitDifference> difference = splitDifference(stepper.get(), params, 0.1, state, 0.006);
     QVERIFY(difference);
     QCOMPARE(difference->apart <= 1e-15, isExact);
+}
+
+void Witness::aThroatIsPassedWhereOneOfItsThreeContactsEnds() {
+    Case scene = emptyCase();
+    scene.radius = 5;
+    scene.boxes = {{{3, -9, 0}, {9, -4, 9}}, {{-9, -9, 0}, {-3, -4, 9}}, {{-9, 5, 0}, {9, 9, 4}}};
+    QVERIFY(!passesThroat(scene, {{0, 0, 1}, {0, 0, 2}}));
+    QVERIFY(passesThroat(scene, {{0, 0, 1}, {0, 0, 6}}));
+    QVERIFY(!passesThroat(scene, {{0, 0, 5}, {0, 0, 6}}));
+    scene.boxes[2].min.y = -9; // on one side of the ball
+    scene.boxes[2].max.y = -5;
+    QVERIFY(!passesThroat(scene, {{0, 0, 1}, {0, 0, 6}}));
 }
 
 void Witness::aCaseReadsBackAsItWasWritten() {
