@@ -178,25 +178,56 @@ bool slides(const MovingBall &ball, const Touching &touching, const Response &re
     return faces.roughAxis != faces.smoothAxis && response.reactions[faces.smooth].pressure > least;
 }
 
-/// Whether the ball glides round one smooth edge that certainly presses, free or on a smooth face across it, and
-/// touches nothing else.
-bool swings(const MovingBall &ball, const Touching &touching, const Response &response, uint32_t &edge) {
+/// Whether a face's friction suffices for a ball that rolls on it round an edge, whatever pushes that: of gravity it
+/// takes 2/7 at most, as R w^2 is less than 5/7 of it.
+bool rollsRound(const MovingBall &ball, const Held &track, const Reaction &reaction) {
+    constexpr double kCertain = 0.9;
+    const double gravity = glm::length(tangential(ball.setting.gravity(), track.normal));
+    const double resistance = 5.0 / 7.0 * track.resistance * reaction.pressure;
+    return track.isGlued || 2.0 / 7.0 * gravity + resistance < kCertain * track.friction * reaction.pressure;
+}
+
+/// Whether the ball goes round one smooth edge that certainly presses, free or on a face across it that is smooth or on
+/// which it certainly rolls, and touches nothing else. track: that face, or kMostHeld.
+bool swings(const MovingBall &ball, const Touching &touching, const Response &response, uint32_t &edge,
+            uint32_t &track) {
     const double least = 1e-9 * accelerationScale(ball.moment());
-    edge = kMostHeld;
+    edge = track = kMostHeld;
     Vec3 faces(0.0), around(0.0); // 1 along the normals of faces, and across the edge
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Reaction &reaction = response.reactions[i];
         const Contact &contact = touching.contactOf(i);
-        if (reaction.mode != Mode::smooth || !(reaction.pressure > least)) return false;
+        if (!(reaction.pressure > least)) return false;
+        if (reaction.mode == Mode::sticking && contact.isFace())
+            track = i;
+        else if (reaction.mode != Mode::smooth)
+            return false;
         if (!contact.isFace() && (edge != kMostHeld || contact.axes() == 3)) return false;
         (contact.isFace() ? faces : around) += touching.held(i).across;
         if (!contact.isFace()) edge = i;
     }
-    return edge != kMostHeld && faces + around == glm::min(faces + around, Vec3(1.0));
+    if (edge == kMostHeld || faces + around != glm::min(faces + around, Vec3(1.0))) return false;
+    if (track == kMostHeld) return true;
+    return rollsRound(ball, touching.held(track), response.reactions[track]) && heading(ball, response) != Vec3(0.0);
 }
 
 /// The axis along an edge.
 int alongEdge(const Contact &edge) { return edge.sides[0] == 0 ? 0 : edge.sides[1] == 0 ? 1 : 2; }
+
+void swing(const MovingBall &ball, const Touching &touching, const Response &response, uint32_t edge, uint32_t track,
+           Phase &phase) {
+    const int axis = alongEdge(touching.contactOf(edge));
+    const Pendulum::Edge at{edge, touching.held(edge).normal, response.reactions[edge].pressure, axis};
+    if (track != kMostHeld) {
+        const Held &face = touching.held(track);
+        const double resistance = face.resistance * response.reactions[track].pressure;
+        const Pendulum::Track on{track, face.normal, resistance};
+        phase.emplace<Pendulum>(ball.moment(), at, on, heading(ball, response), ball.left);
+        return;
+    }
+    const double along = touching.count() == 1 ? ball.setting.gravity()[axis] : 0.0;
+    phase.emplace<Pendulum>(ball.moment(), at, along, ball.left);
+}
 
 /// Whether the powers of a moving ball's speeds underflow: series would have no time scale, and in the longest step it
 /// gets nowhere.
@@ -288,11 +319,8 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
     } else if (hardlyMoves(ball)) {
         motion = {Vec3(0.0), Vec3(0.0)};
         return choose(ball, touching, choice);
-    } else if (uint32_t edge; swings(ball, touching, response, edge)) {
-        const int axis = alongEdge(touching.contactOf(edge));
-        const double along = touching.count() == 1 ? ball.setting.gravity()[axis] : 0.0;
-        choice.phase.emplace<Pendulum>(ball.moment(), edge, touching.held(edge).normal,
-                                       response.reactions[edge].pressure, axis, along, ball.left);
+    } else if (uint32_t edge, track; swings(ball, touching, response, edge, track)) {
+        swing(ball, touching, response, edge, track, choice.phase);
     } else if (!buildSeries(ball, touching, response, choice.phase.emplace<Series>())) {
         if (const phys_status status = jam(touching, ball, response)) return status;
         return choose(ball, touching, choice);

@@ -10,78 +10,119 @@ namespace {
 /// A quarter turn.
 Vec2 quarterTurn(const Vec2 &v) { return {-v.y, v.x}; }
 
+/// With terms up to `order` the series are accurate until then: |n_k| < k (2/pi)^k.
+struct Truncation {
+    int order;
+    double until; ///< units
+};
+constexpr std::array kShort{Truncation{12, 0.05}, Truncation{16, 0.12}};
+
 } // namespace
 
-// With the normal n, the tangent t, the rate w and gravity g across the edge: n' = w t, R w' = g.t. As long as the edge
-// presses, R w^2 < -g.n <= g, which bounds all that follows.
-Pendulum::Pendulum(const Moment &moment, uint32_t contact, const Vec3 &normal, double pressure, int axis,
-                   double acceleration, double wanted)
+Pendulum::Pendulum(const Moment &moment, const Edge &edge, double acceleration, double wanted)
     : m_moment(moment)
-    , m_contact(contact)
-    , m_axis(axis)
-    , m_pressure(pressure)
+    , m_edge(edge)
+    , m_lasting(moment.spin)
     , m_acceleration(acceleration)
-    , m_pull(glm::length(across(moment.gravity)))
-    , m_down(across(moment.gravity) / m_pull)
-    , m_start(across(normal)) {
-    constexpr double kSoon = 0.05; // units, for which the terms of order 13 are below 1e-17: |n_k| < k (2/pi)^k
-    constexpr int kFew = 12;
-    m_reach.unit = std::sqrt(moment.radius / m_pull);
-    const bool isSoon = wanted <= kSoon * m_reach.unit;
-    const int last = isSoon ? kFew : kOrder;
+    , m_gravity(glm::length(across(moment.gravity))) {
+    expand(1.0, wanted);
+}
+
+Pendulum::Pendulum(const Moment &moment, const Edge &edge, const Track &track, const Vec3 &heading, double wanted)
+    : m_moment(moment)
+    , m_edge(edge)
+    , m_track(track)
+    , m_lasting(glm::dot(moment.spin, track.normal) * track.normal)
+    , m_gravity(glm::length(across(moment.gravity))) {
+    m_resistance = std::copysign(track.resistance, glm::dot(quarterTurn(across(edge.normal)), across(heading)));
+    expand(5.0 / 7.0, wanted);
+}
+
+// With the normal n, the tangent t, the rate w, gravity g across the edge and resistance r along t: n' = w t and
+// R w' = g.t - r, of a ball that rolls 5/7 of that. While the edge presses R w^2 < -g.n <= g, so that in units in which
+// g + |r|, or 5/7 of it, is 1, all terms have the bounds that they have without resistance.
+void Pendulum::expand(double share, double wanted) {
+    const double R = m_moment.radius;
+    m_strength = share * drive();
+    m_reach.unit = std::sqrt(R / m_strength);
+    m_start = across(m_edge.normal);
+    m_pull = across(m_moment.gravity) / drive();
+    m_against = m_resistance / drive();
+    const auto fits = std::find_if(kShort.begin(), kShort.end(),
+                                   [&](const Truncation &each) { return wanted <= each.until * m_reach.unit; });
+    const int last = fits == kShort.end() ? kOrder : fits->order;
     m_turned.c.fill(Vec2(0.0));
     m_rate.c.fill(0.0);
-    m_rate[0] = glm::dot(quarterTurn(m_start), across(moment.velocity)) * m_reach.unit / moment.radius;
+    m_rate[0] = glm::dot(quarterTurn(m_start), across(m_moment.velocity)) * m_reach.unit / R;
     for (int k = 0; k < last; ++k) {
         Vec2 sum = m_rate[k] * m_start;
         for (int j = 1; j <= k; ++j) sum += m_rate[k - j] * m_turned[j];
         m_turned[k + 1] = quarterTurn(sum) / (k + 1.0);
-        m_rate[k + 1] = glm::dot(m_down, quarterTurn(k == 0 ? m_start : m_turned[k])) / (k + 1.0);
+        m_rate[k + 1] = glm::dot(m_pull, quarterTurn(k == 0 ? m_start : m_turned[k])) / (k + 1.0);
+        if (k == 0) m_rate[1] -= m_against;
+    }
+    if (fits != kShort.end()) {
+        m_reach.length = fits->until;
+        return;
     }
     Validity validity(kOrder);
     validity.add(m_turned, 1.0);
     validity.add(m_rate, 1.0);
-    if (isSoon)
-        m_reach.length = kSoon;
-    else
-        m_reach.measure(validity.until());
+    m_reach.measure(validity.until());
 }
 
 Vec3 Pendulum::inSpace(const Vec2 &v, double along) const {
     Vec3 all;
-    all[m_axis] = along;
-    all[(m_axis + 1) % 3] = v.x;
-    all[(m_axis + 2) % 3] = v.y;
+    all[m_edge.axis] = along;
+    all[(m_edge.axis + 1) % 3] = v.x;
+    all[(m_edge.axis + 2) % 3] = v.y;
     return all;
 }
 
 Way Pendulum::at(double t) const {
-    const double s = t / m_reach.unit, R = m_moment.radius, speed = m_moment.velocity[m_axis];
+    const double s = t / m_reach.unit, R = m_moment.radius, speed = m_moment.velocity[m_edge.axis];
     const Vec2 way = m_turned.at(s);
     return {inSpace(R * way, t * (speed + 0.5 * m_acceleration * t)),
             inSpace(R / m_reach.unit * m_rate.at(s) * quarterTurn(m_start + way), speed + m_acceleration * t)};
 }
 
-/// The acceleration changes by at most 3 g w per time, and w is largest at one of the ends: the ball is slowest where
-/// it turns round or passes the top.
+Place Pendulum::placeAt(double t) const {
+    const auto [way, velocity] = at(t);
+    if (!rolls()) return {way, velocity, m_lasting, t * m_lasting};
+    const double R = m_moment.radius;
+    return {way, velocity, m_lasting + glm::cross(m_track.normal, velocity) / R,
+            t * m_lasting + glm::cross(m_track.normal, way) / R};
+}
+
+/// The acceleration changes by at most three times the strength times w, and w is largest at one of the ends: the ball
+/// is slowest where it turns round or passes the top.
 double Pendulum::least(const Vec3 &n, double, double t, double until) const {
     const double s = t / m_reach.unit, rate = m_rate.at(s);
     const double fastest = std::max(std::abs(rate), std::abs(m_rate.at(until / m_reach.unit)));
     const Vec2 normal = m_start + m_turned.at(s), tangent = quarterTurn(normal), along = across(n);
-    const Vec2 acceleration = m_pull * (glm::dot(m_down, tangent) * tangent - rate * rate * normal);
-    return glm::dot(along, acceleration) + n[m_axis] * m_acceleration -
-           3.0 * m_pull * glm::length(along) * fastest * (until - t) / m_reach.unit;
+    const Vec2 acceleration = m_strength * ((glm::dot(m_pull, tangent) - m_against) * tangent - rate * rate * normal);
+    return glm::dot(along, acceleration) + n[m_edge.axis] * m_acceleration -
+           3.0 * m_strength * glm::length(along) * fastest * (until - t) / m_reach.unit;
 }
 
-/// By the conservation of energy the pressure changes by -3 g.(n - n0).
+/// By the conservation of energy the pressure changes by -3 g.(n - n0), and twice the work of resistance per radius.
 End Pendulum::end(double until, Work &work) const {
+    const double s = std::min(until / m_reach.unit, m_reach.length);
     Jet pressure;
-    for (int k = 1; k <= kOrder; ++k) pressure[k] = -3.0 * m_pull * glm::dot(m_down, m_turned[k]);
-    pressure[0] = m_pressure;
+    pressure[0] = m_edge.pressure;
+    for (int k = 1; k <= kOrder; ++k)
+        pressure[k] = drive() * (2.0 * m_against * m_rate[k - 1] / k - 3.0 * glm::dot(m_pull, m_turned[k]));
     End end{horizon(), Cause::time, 0};
-    const double opens = firstFall(pressure, std::min(until / m_reach.unit, m_reach.length), work);
-    end.cut({m_reach.unit * opens, Cause::release, m_contact});
+    end.cut({m_reach.unit * firstFall(pressure, s, work), Cause::release, m_edge.contact});
+    if (m_resistance == 0.0) return end;
+    Jet speed;
+    for (int k = 0; k <= kOrder; ++k) speed[k] = std::copysign(1.0, m_resistance) * m_rate[k];
+    end.cut({m_reach.unit * firstFall(speed, s, work), Cause::stop, m_track.contact});
     return end;
+}
+
+Losses Pendulum::losses(double t) const {
+    return {0.0, m_moment.radius * m_resistance * m_rate.integralAt(t / m_reach.unit)};
 }
 
 } // namespace phys

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A ball that glides round one smooth edge, free or on a smooth face across it: a pendulum, as Taylor series in time.
-// model.md 14.2.
+// A ball that goes round one smooth edge, free, on a smooth face across it, or rolling on a rough one: a pendulum, as
+// Taylor series in time. model.md 14.2.
 #pragma once
 
 #include "contact/modes.h"
@@ -12,37 +12,54 @@ class Pendulum {
 public:
     static constexpr uint64_t lookWork() { return 60; }
 
-    /// contact, normal, pressure: number of the edge, from it to the ball, of the edge. axis: along the edge, with this
-    /// acceleration. wanted: how long the motion is asked for, s.
-    Pendulum(const Moment &moment, uint32_t contact, const Vec3 &normal, double pressure, int axis, double acceleration,
-             double wanted);
+    struct Edge {
+        uint32_t contact;
+        Vec3 normal; ///< from it to the ball
+        double pressure;
+        int axis; ///< along it
+    };
+    /// A face on which the ball rolls.
+    struct Track {
+        uint32_t contact;
+        Vec3 normal;
+        double resistance; ///< mu_r N, m/s^2
+    };
+
+    /// It glides, with this acceleration along the edge. wanted: how long the motion is asked for, s.
+    Pendulum(const Moment &moment, const Edge &edge, double acceleration, double wanted);
+    /// It rolls on a face across the edge. heading: in which it moves or starts to.
+    Pendulum(const Moment &moment, const Edge &edge, const Track &track, const Vec3 &heading, double wanted);
 
     Way at(double t) const;
-    Place placeAt(double t) const {
-        const Way now = at(t);
-        return {now.way, now.velocity, m_moment.spin, t * m_moment.spin};
-    }
-    Vec3 spinAt(double) const { return m_moment.spin; }
+    Place placeAt(double t) const;
+    Vec3 spinAt(double t) const { return placeAt(t).spin; }
     double least(const Vec3 &n, double rate, double t, double until) const;
-    double mostAcceleration() const { return m_pull + std::abs(m_acceleration); }
+    double mostAcceleration() const { return m_strength + std::abs(m_acceleration); }
     double horizon() const { return m_reach.unit * m_reach.length; }
     End end(double until, Work &work) const;
-    Losses losses(double) const { return {}; }
+    Losses losses(double t) const;
 
 private:
     Moment m_moment;
-    uint32_t m_contact;
-    int m_axis;
-    double m_pressure, m_acceleration;
-    double m_pull;        ///< m/s^2: gravity across the edge
-    Vec2 m_down;          ///< its direction
-    Vec2 m_start;         ///< the normal at the start
-    JetOf<Vec2> m_turned; ///< the normal minus that
-    Jet m_rate;           ///< at which it turns, per unit
+    Edge m_edge;
+    Track m_track{kMostHeld, Vec3(0.0), 0.0};
+    Vec3 m_lasting;              ///< the part of the spin that lasts
+    double m_acceleration = 0.0; ///< along the edge
+    double m_gravity;            ///< across the edge
+    double m_resistance = 0.0;   ///< along the tangent, m/s^2
+    double m_strength;           ///< the most that both accelerate the ball, m/s^2
+    Vec2 m_pull;                 ///< gravity across the edge, as a share of both
+    double m_against;            ///< resistance, likewise
+    Vec2 m_start;                ///< the normal at the start
+    JetOf<Vec2> m_turned;        ///< the normal minus that
+    Jet m_rate;                  ///< at which it turns, per unit
     Reach m_reach;
 
+    void expand(double share, double wanted);
+    double drive() const { return m_gravity + std::abs(m_resistance); }
+    bool rolls() const { return m_track.contact != kMostHeld; }
     /// Components across the edge.
-    Vec2 across(const Vec3 &v) const { return {v[(m_axis + 1) % 3], v[(m_axis + 2) % 3]}; }
+    Vec2 across(const Vec3 &v) const { return {v[(m_edge.axis + 1) % 3], v[(m_edge.axis + 2) % 3]}; }
     Vec3 inSpace(const Vec2 &v, double along) const;
 };
 
