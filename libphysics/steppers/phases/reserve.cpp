@@ -208,13 +208,16 @@ uint32_t Series::spentTogether(std::span<Reaction> reactions, std::span<Vec3> sl
     return bits;
 }
 
-/// For two contacts that stick by prestress alone: when no forces between both hold them any longer, or another one of
-/// the two determines the smallest. Both then slip, if they can. In units; kNever if not before s.
+/// For two contacts that stick: when no forces between both hold them any longer, or, if they stick by prestress alone,
+/// another one of the two determines the smallest. Both then slip, if they can. In units; kNever if not before s.
 double Series::endOfPrestress(double s, Work &work) const {
     constexpr int kLooks = 16, kHalvings = 50;
     const Contact *one = nullptr, *other = nullptr;
+    bool isKept = false;
     for (const Contact &contact : contacts()) {
-        if (contact.isKept && contact.mode == Mode::sticking) one = &contact;
+        if (contact.mode != Mode::sticking || contact.held.isGlued) continue;
+        one = &contact;
+        isKept = isKept || contact.isKept;
     }
     if (one) other = otherSticking(*one);
     if (!other) return kNever;
@@ -225,9 +228,10 @@ double Series::endOfPrestress(double s, Work &work) const {
         const Range a = rangeOfCone(one->held.friction, frictions[0].at(at) + one->N.at(at) * n, n, n - m);
         const Range b = rangeOfCone(other->held.friction, frictions[1].at(at) + other->N.at(at) * m, m, m - n);
         const bool holds = std::min(a.most, b.most) >= std::max(a.least, b.least);
-        return std::array{holds, a.least < b.least};
+        return std::array{holds, isKept && a.least < b.least};
     };
     const auto first = look(0.0);
+    if (!first[0] && !isKept) return kNever; // they are about to slip, which their reserves tell
     return firstHolding([&](double at) { return look(at) != first; }, s, kLooks, kHalvings);
 }
 
