@@ -159,23 +159,48 @@ Resisted alongFace(const MovingBall &ball, const Held &face, const Reaction &rea
     return Resisted::rolling(axis, v, 5.0 / 7.0 * along, resistance, ball.radius(), spin, n);
 }
 
-/// Whether the ball slips on one face, certainly leans on a smooth one across it, and touches nothing else.
-bool slides(const MovingBall &ball, const Touching &touching, const Response &response, Slide::Faces &faces) {
-    faces.rough = faces.smooth = kMostHeld;
+/// A contact on whose face the ball slips, and a smooth one across it on which it leans.
+struct Leaning {
+    uint32_t rough, smooth;
+};
+
+/// Whether the ball slips on one face, certainly leans on a smooth one or a smooth edge across it, and touches nothing
+/// else.
+bool leans(const MovingBall &ball, const Touching &touching, const Response &response, Leaning &leaning) {
+    leaning = {kMostHeld, kMostHeld};
     for (uint32_t i = 0; i < touching.count(); ++i) {
         if (!isClosed(response, i)) continue;
         const Mode mode = response.reactions[i].mode;
-        uint32_t &place = mode == Mode::slipping ? faces.rough : faces.smooth;
-        if (place != kMostHeld || !touching.contactOf(i).isFace()) return false;
-        if (mode != Mode::slipping && mode != Mode::smooth) return false;
+        uint32_t &place = mode == Mode::slipping ? leaning.rough : leaning.smooth;
+        if (place != kMostHeld || (mode != Mode::slipping && mode != Mode::smooth)) return false;
         place = i;
     }
-    if (faces.rough == kMostHeld || faces.smooth == kMostHeld) return false;
-    faces.roughAxis = axisOf(touching.contactOf(faces.rough));
-    faces.smoothAxis = axisOf(touching.contactOf(faces.smooth));
-    const double friction = touching.held(faces.rough).friction * response.reactions[faces.rough].pressure;
+    if (leaning.rough == kMostHeld || leaning.smooth == kMostHeld) return false;
+    const Held &rough = touching.held(leaning.rough), &smooth = touching.held(leaning.smooth);
+    if (!isFace(rough) || glm::dot(rough.across, smooth.across) != 0.0) return false;
+    const double friction = rough.friction * response.reactions[leaning.rough].pressure;
     const double least = 0.01 * friction + 1e-9 * accelerationScale(ball.moment());
-    return faces.roughAxis != faces.smoothAxis && response.reactions[faces.smooth].pressure > least;
+    return response.reactions[leaning.smooth].pressure > least;
+}
+
+/// The phase of such a slip; false for the general one.
+bool slide(const MovingBall &ball, const Touching &touching, const Response &response, const Leaning &leaning,
+           Slips slips, Phase &phase) {
+    const Held &rough = touching.held(leaning.rough), &smooth = touching.held(leaning.smooth);
+    const Reaction &rubs = response.reactions[leaning.rough], &presses = response.reactions[leaning.smooth];
+    if (slips == Slips::mayClose) {
+        const SlipEnd::Rough slipping{leaning.rough, rough.normal, rubs.slip, rough.friction * rubs.pressure};
+        const SlipEnd::Support support{smooth.normal, presses.pressure, !isFace(smooth)};
+        if (const std::optional<SlipEnd> closing = SlipEnd::of(ball.moment(), slipping, support)) {
+            phase = *closing;
+            return true;
+        }
+    }
+    if (!isFace(smooth)) return false;
+    const Slide::Faces faces{leaning.rough, leaning.smooth, axisOf(touching.contactOf(leaning.rough)),
+                             axisOf(touching.contactOf(leaning.smooth))};
+    phase.emplace<Slide>(ball.moment(), faces, rough.normal, rubs, rough.friction, presses);
+    return true;
 }
 
 /// Whether a face's friction suffices for a ball that rolls on it round an edge, whatever pushes that: of gravity it
@@ -291,7 +316,7 @@ uint32_t onlyFace(const Touching &touching, const Response &response) {
     return closed;
 }
 
-phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
+phys_status choose(MovingBall &ball, Touching &touching, Choice &choice, Slips slips) {
     if (hasManyHops(ball)) stopSpinAlong(touching, ball);
     Response &response = choice.response;
     if (const phys_status status = respondNow(touching, ball, response)) return status;
@@ -312,18 +337,17 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
         choice.phase = Uniform{motion.velocity, response.acceleration, motion.spin, response.spinAcceleration};
     } else if (const uint32_t face = onlyFace(touching, response); face != kMostHeld) {
         choice.phase = alongFace(ball, touching.held(face), response.reactions[face]);
-    } else if (Slide::Faces faces; slides(ball, touching, response, faces)) {
-        const Held &rough = touching.held(faces.rough);
-        choice.phase.emplace<Slide>(ball.moment(), faces, rough.normal, response.reactions[faces.rough], rough.friction,
-                                    response.reactions[faces.smooth]);
+    } else if (Leaning leaning; leans(ball, touching, response, leaning) &&
+                                slide(ball, touching, response, leaning, slips, choice.phase)) {
+        return PHYS_OK;
     } else if (hardlyMoves(ball)) {
         motion = {Vec3(0.0), Vec3(0.0)};
-        return choose(ball, touching, choice);
+        return choose(ball, touching, choice, slips);
     } else if (uint32_t edge, track; swings(ball, touching, response, edge, track)) {
         swing(ball, touching, response, edge, track, choice.phase);
     } else if (!buildSeries(ball, touching, response, choice.phase.emplace<Series>())) {
         if (const phys_status status = jam(touching, ball, response)) return status;
-        return choose(ball, touching, choice);
+        return choose(ball, touching, choice, slips);
     }
     return PHYS_OK;
 }

@@ -83,14 +83,6 @@ bool goOnInRegion(FloorRegions &regions, const Ground &ground, MovingBall &ball,
     return false;
 }
 
-/// Prepares a slip that closes for an event before its end. False if it doesn't.
-bool opens(Phase &phase) {
-    Slide *const slide = std::get_if<Slide>(&phase);
-    if (!slide || !slide->isClosing()) return false;
-    slide->open();
-    return true;
-}
-
 /// The event loop of model.md 8.1, from any moment of a step on.
 phys_status followEvents(FloorRegions &regions, MovingBall &ball, ContactEvents &events, uint32_t &flags) {
     Ground ground(ball, regions);
@@ -111,7 +103,10 @@ phys_status followEvents(FloorRegions &regions, MovingBall &ball, ContactEvents 
         events.add(touching, choice.response, ball);
         if (ball.isStill() && rests(ball, choice.response)) break;
         Event event = firstEvent(ground, touching, choice, ball);
-        if (event.end.cause != Cause::grip && opens(choice.phase)) event = firstEvent(ground, touching, choice, ball);
+        if (std::holds_alternative<SlipEnd>(choice.phase) && event.end.cause != Cause::grip) {
+            if (const phys_status status = choose(ball, touching, choice, Slips::areFollowed)) return status;
+            event = firstEvent(ground, touching, choice, ball);
+        }
         follow(choice, event, ball, touching);
         // A contact that begins at the very end of the step is resolved in this step.
         if (ball.left == 0.0 && event.end.cause == Cause::time) break;

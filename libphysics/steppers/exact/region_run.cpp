@@ -8,6 +8,7 @@
 #include "exact/search.h"
 #include "phases/resisted.h"
 #include "phases/slide.h"
+#include "phases/slip_end.h"
 #include "phases/uniform.h"
 #include "scene/nearest.h"
 
@@ -130,18 +131,19 @@ private:
         if (params.wall_friction > 0.0 || !(glm::length(slip) > kLeast * scale)) return;
         if (!(push > 0.02 * B + kUnsure * accelerationScale(moment))) return;
         if (!(std::abs(turning) > kLeastTurn * glm::length(slip) * glm::length(rate))) return slipStraight(slip);
+        const double rolling = moment.velocity[along] - 2.0 / 7.0 * slip[along]; // if the slip ends now
+        const bool isUnsure = !(std::abs(rolling) > kUnsure * scale);
+        if (const auto closing = SlipEnd::of(moment, {0, kUp, slip, B}, {n, push, false})) {
+            const End end = closing->end(m_ball.left, m_ball.work);
+            Hit hit;
+            if (isUnsure || !findHit(*closing, std::min(end.after, m_ball.left), hit)) return;
+            if (end.after < m_ball.left && hit.after >= end.after) return runOn(*closing, end);
+        }
         const Reaction rough{Mode::slipping, m_pull.pressure, Vec3(0.0), direction, slip};
         const Reaction smooth{Mode::smooth, push, push * n, Vec3(0.0), Vec3(0.0)};
-        Slide phase(moment, {0, 1, 2, m_rests}, kUp, rough, params.sliding_friction, smooth);
-        End end = phase.end(m_ball.left, m_ball.work);
-        if (phase.isClosing()) {
-            Hit hit;
-            if (!findHit(phase, std::min(end.after, m_ball.left), hit)) return;
-            if (!(end.after < m_ball.left) || hit.after < end.after) phase.open();
-            end = phase.end(m_ball.left, m_ball.work);
-        }
-        const double rolling = moment.velocity[along] - 2.0 / 7.0 * slip[along]; // if the slip ends now
-        if (end.cause != Cause::grip || std::abs(rolling) > kUnsure * scale) runOn(phase, end);
+        const Slide phase(moment, {0, 1, 2, m_rests}, kUp, rough, params.sliding_friction, smooth);
+        const End end = phase.end(m_ball.left, m_ball.work);
+        if (end.cause != Cause::grip || !isUnsure) runOn(phase, end);
     }
 
     /// The same of a slip that keeps its direction, as one along the face, and so constant accelerations.

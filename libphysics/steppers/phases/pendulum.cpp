@@ -7,9 +7,6 @@ namespace phys {
 
 namespace {
 
-/// A quarter turn.
-Vec2 quarterTurn(const Vec2 &v) { return {-v.y, v.x}; }
-
 /// With terms up to `order` the series are accurate until then: |n_k| < k (2/pi)^k.
 struct Truncation {
     int order;

@@ -9,6 +9,8 @@
 
 namespace phys {
 
+inline Vec2 quarterTurn(const Vec2 &v) { return {-v.y, v.x}; }
+
 /// The motion since the start of the phase.
 struct Way {
     Vec3 way, velocity;

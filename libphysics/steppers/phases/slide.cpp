@@ -5,25 +5,6 @@
 
 namespace phys {
 
-namespace {
-
-/// When a slip ends, in units of |u|/B. The equations are the same for any multiple of the slip, so this is a power
-/// series in the distance of s = u_y/|u| from its limit g/B. model.md 14.2.
-double timeToEnd(double limit, double off) {
-    constexpr int kTerms = 48;
-    double sum = 0.0, scale = 1.0, last = 0.0, before = 0.0;
-    for (int k = 0; k < kTerms; ++k) {
-        const double known = (k == 0 ? 1.0 : 0.0) + limit * (2 * k - 3) * last + (k - 3) * before;
-        before = last;
-        last = known / (2.5 + (1.0 - limit * limit) * k);
-        sum += scale * last;
-        scale *= off;
-    }
-    return sum;
-}
-
-} // namespace
-
 // The pressure on the rough face is constant, the smooth face balances the forces across it. Friction -B d, B = mu N,
 // changes the slip by (-5/2 B d_x, g - 7/2 B d_y), and v = q + (2/7) u along both, where q grows by (5/7) g. With
 // dt = |u| dxi as in 3.1, du/dxi = (-5/2 B u_x, g |u| - 7/2 B u_y): the end of the slip is infinitely far away in xi,
@@ -47,33 +28,6 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
     m_start = m_g - B * rough.direction[m_along];
     m_limit = m_g - std::clamp(m_g, -B, B);
     m_fast = std::min(glm::length(moment.velocity), m_radius * glm::length(m_spin));
-    m_closes = close(moment.rounding);
-    if (!m_closes) expand();
-}
-
-/// If the slip is so small that its way is rounding, only the time matters at which it ends: it falls evenly until
-/// then. False if it isn't.
-bool Slide::close(double rounding) {
-    constexpr double kSmall = 16.0; // of the rounding of places
-    const double B = m_limitOfFriction, limit = m_g / B, off = m_u[0].y / m_speed[0] - limit;
-    const bool isSmall = m_speed[0] * m_speed[0] <= kSmall * rounding * m_radius * B;
-    if (!isSmall || !(std::abs(off) <= 0.5 * (1.0 - std::abs(limit))) || mayOpen()) return false;
-    m_horizon = m_speed[0] / B * timeToEnd(limit, off);
-    m_reach = {m_horizon / m_speed[0], 1.0};
-    m_time[1] = m_horizon;
-    m_u[1] = -m_u[0];
-    m_way[1] = m_horizon * m_u[0];
-    m_way[2] = -0.5 * m_way[1];
-    return true;
-}
-
-void Slide::open() {
-    m_closes = false;
-    expand();
-}
-
-void Slide::expand() {
-    const double B = m_limitOfFriction;
     m_reach.unit = 1.0 / (3.5 * B + std::abs(m_g));
     for (int k = 0; k <= kOrder; ++k) {
         m_speed[k] = lengthTerm(m_u.c.data(), m_speed, k);
@@ -147,7 +101,6 @@ double Slide::opensAt(double s, Work &work) const {
 }
 
 End Slide::end(double until, Work &work) const {
-    if (m_closes) return {m_horizon, Cause::grip, m_faces.rough};
     End end{m_horizon, Cause::time, 0};
     const double opens = mayOpen() ? opensAt(until < m_horizon ? xiAt(until) : m_reach.length, work) : kNever;
     if (opens != kNever) end.cut({m_time.at(opens), Cause::release, m_faces.smooth});
@@ -159,12 +112,6 @@ End Slide::end(double until, Work &work) const {
 }
 
 Losses Slide::losses(double t) const {
-    if (m_closes) { // all energy of the slip, and gravity's work
-        const Vec2 &u = m_u[0];
-        const double left = 1.0 - t / m_horizon;
-        const double all = u.x * u.x / 5.0 + u.y * u.y / 7.0 + 2.0 / 7.0 * m_g * m_way.at(1.0).y;
-        return {(1.0 - left * left) * all, 0.0};
-    }
     const Jet squares = product(m_speed, m_speed); // of the slip's speed: |u| dt = |u|^2 dxi
     return {m_limitOfFriction * squares.integralAt(xiAt(t)) * unit(), 0.0};
 }

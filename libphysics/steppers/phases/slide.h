@@ -28,9 +28,6 @@ public:
     double mostAcceleration() const { return std::max(std::abs(m_start), std::abs(m_limit)); }
     double horizon() const { return m_horizon; }
     End end(double until, Work &work) const;
-    /// Whether only its end is accurate: an event before needs it to be opened.
-    bool isClosing() const { return m_closes; }
-    void open();
     Losses losses(double t) const;
 
 private:
@@ -49,11 +46,8 @@ private:
     JetOf<Vec2> m_way{};      ///< m: integral of the slip over the time
     Reach m_reach;            ///< s^2/m
     double m_horizon;         ///< s
-    bool m_closes = false;
 
     double unit() const { return m_reach.unit; }
-    bool close(double rounding);
-    void expand();
     bool mayOpen() const;
     double opensAt(double s, Work &work) const;
     double xiAt(double t) const;
