@@ -96,8 +96,8 @@ inline void ResistedLaw::begin(const Vec2 &v0, const Vec2 &A, double B) {
     m_B = B;
     m_speed = length(v0);
     m_drive = A.x * v0.x + A.y * v0.y;
-    if (m_speed == 0.0) {
-        // From rest the motion is straight along A, model.md 3.2.
+    if (m_speed < std::numeric_limits<double>::min()) {
+        // From rest, or a speed without digits, the motion is straight along A, model.md 3.2.
         m_fromRest = true;
         if (m_a > 0.0) m_e = A / m_a;
         if (m_a <= B) m_stopTime = 0.0;

@@ -50,6 +50,8 @@ private slots:
     void hugeResistanceStopsInOneStep();
     void turnsBackWhereItStopsOnASlope_data() { addStepperAndModelRows(); }
     void turnsBackWhereItStopsOnASlope();
+    void aSpeedThatUnderflowsIsNone_data() { addStepperRows(); }
+    void aSpeedThatUnderflowsIsNone();
     void givenSpinIsLostToSlip_data() { addStepperRows(); }
     void givenSpinIsLostToSlip();
     void givenSpinTurnsTheBallAsInRolling_data() { addStepperRows(); }
@@ -59,6 +61,20 @@ private slots:
     void aFloorThatWallAndKerbRelieveDoesNotHoldTheBall_data() { addStepperRows(); }
     void aFloorThatWallAndKerbRelieveDoesNotHoldTheBall();
 };
+
+void TestSmoothMotion::aSpeedThatUnderflowsIsNone() {
+    QFETCH(QByteArray, stepper);
+    for (const double speed : {1e-305, 1e-308, 1e-315, 5e-324}) {
+        Experiment ball(openFloor(), stepper), fromRest(openFloor(), stepper);
+        ball.params.rolling_friction = fromRest.params.rolling_friction = 0x1p-9;
+        ball.params.gravity = fromRest.params.gravity = {1.0, -0x1p-4, -8.0};
+        ball.state.velocity = {-speed, speed, 0.0};
+        QVERIFY2(ball.step(0x1p-6), ball.error());
+        QVERIFY2(fromRest.step(0x1p-6), fromRest.error());
+        COMPARE_WITHIN(ball.state.position.x, fromRest.state.position.x, rounding(4, 1.0));
+        COMPARE_WITHIN(ball.state.velocity.y, fromRest.state.velocity.y, rounding(4, 1.0));
+    }
+}
 
 namespace {
 
