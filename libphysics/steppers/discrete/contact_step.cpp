@@ -99,8 +99,7 @@ double settleOn(const StepContext &context, const Contact &contact, const Normal
     return std::abs(off);
 }
 
-/// What pressed until the end stays in contact, at all places together: where only friction presses the ball, it would
-/// fly off what is left of a gap or of a speed.
+/// Puts the ball onto what pressed until the end, at all places together.
 void settleOnAll(const StepContext &context, const Contacts &contacts, const LastingContacts &lasting, Ball &ball) {
     constexpr int kMostSettlingSweeps = 40;
     const double near = 0.25 * context.setting.tolerance;
@@ -135,10 +134,29 @@ void settleOnAll(const StepContext &context, const Contacts &contacts, const Las
     if (glm::distance(across, ball.velocity) <= kMostTaken * fastest) ball.velocity = across;
 }
 
-/// Whether contacts of order 1 have normals that turn as the ball goes round an edge or a corner, as those have for
-/// which modes are chosen. Two that stick can't approach each other.
-bool haveTurns(const StepContext &context, const LastingContacts &lasting) {
-    return lasting.isChosen() && !context.isRigid();
+/// What pressed until the end stays in contact: where only friction presses the ball, it would fly off what is left of
+/// a gap or of a speed. Not where it is farther off than it comes within h, as between nearly opposite normals.
+void stayInContact(const StepContext &context, const Contacts &contacts, const LastingContacts &lasting,
+                   const Motion &before, double h, Ball &ball) {
+    Ball settled = ball;
+    settleOnAll(context, contacts, lasting, settled);
+    const double fastest = glm::length(before.velocity) + h * glm::length(context.setting.gravity());
+    if (glm::distance(ball.position, settled.position) <= h * fastest) ball = settled;
+}
+
+/// Two contacts that stick can't approach each other.
+bool twoStick(const LastingContacts &lasting) {
+    return std::count_if(lasting.begin(), lasting.end(), [](const Lasting &contact) { return contact.sticks(); }) > 1;
+}
+
+/// Whether the normals of contacts of order 1 turn within the substep as the ball goes round an edge or a corner: where
+/// modes are chosen, and where such a normal and friction press the ball onto other contacts.
+bool haveTurns(const StepContext &context, const Contacts &contacts, const LastingContacts &lasting) {
+    if (!context.isRigid()) return lasting.isChosen();
+    const auto turns = [&](const Contact &contact) {
+        return !contact.isFace() && (lasting.isChosen() || contact.sides[2] != 0);
+    };
+    return contacts.count() > 1 && std::any_of(contacts.begin(), contacts.end(), turns) && !twoStick(lasting);
 }
 
 /// At the end the ball approaches what it stays on, along the normal of the start.
@@ -161,24 +179,29 @@ void allowLeaving(const StepContext &context, const Contacts &contacts, const Ve
     }
 }
 
-/// The contacts of a substep of order 1, which changes the motion. Contacts only take energy from it: where the
-/// solution adds some, as several sticking contacts turn the ball to close their gaps, the gaps stay.
-LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, double h, Motion &motion) {
+/// The contacts of a substep of order 1, which changes the motion; turn: whether their normals do. Contacts only take
+/// energy from it: where the solution adds some, as several sticking contacts turn the ball to close their gaps, the
+/// gaps stay.
+LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, double h, Motion &motion, bool &turn) {
     constexpr double kMostGain = 1e-12;
     const Motion before = motion;
     Motion driven = motion;
     driven.velocity += h * context.setting.gravity();
+    bool mayTurn = true;
     const auto solve = [&](double time) { // s, in which the gaps are closed
         LastingContacts lasting(context.radius(), context.work);
         for (const Contact &contact : contacts)
             lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / time));
         choose(context, contacts, before, h, lasting);
-        (haveTurns(context, lasting) ? allowTurns : allowLeaving)(context, contacts, before.velocity, h, lasting);
+        turn = mayTurn && haveTurns(context, contacts, lasting);
+        (turn ? allowTurns : allowLeaving)(context, contacts, before.velocity, h, lasting);
         motion = driven;
         lasting.solve(context.params().rolling_friction, motion);
         return lasting;
     };
     LastingContacts closing = solve(h);
+    mayTurn = !turn || !twoStick(closing);
+    if (!mayTurn) closing = solve(h);
     const double fallen = h * glm::dot(context.setting.gravity(), motion.velocity);
     const double gain = kineticEnergy(context, motion) - kineticEnergy(context, before) - fallen;
     if (!(gain > kMostGain * kineticEnergy(context, driven))) return closing;
@@ -207,15 +230,16 @@ void stopBetween(const LastingContacts &contacts, double driven, Motion &motion)
 HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
     const Motion before = motionOf(ball);
     Motion motion = before;
-    const LastingContacts lasting = closeGaps(context, contacts, h, motion);
+    bool turn = false;
+    const LastingContacts lasting = closeGaps(context, contacts, h, motion, turn);
     const SmoothLoss loss = lossOf(context, lasting, before, motion);
     const bool isExplicit = kind == ContactRule::Explicit;
     stopBetween(lasting, glm::length(before.velocity) + h * glm::length(context.setting.gravity()), motion);
     const Vec3 moving = isExplicit ? mixedVelocity(lasting, before.velocity, motion.velocity) : motion.velocity;
     ball.position += h * moving;
     setMotion(motion, ball);
-    if (kind == ContactRule::Closing || haveTurns(context, lasting)) {
-        settleOnAll(context, contacts, lasting, ball);
+    if (kind == ContactRule::Closing || turn) {
+        stayInContact(context, contacts, lasting, before, h, ball);
         return {lasting, loss};
     }
     for (uint32_t i = 0; i < contacts.count(); ++i) {
@@ -275,7 +299,7 @@ HeldBall holdTurning(const StepContext &context, const Contacts &contacts, Conta
     const SmoothLoss loss = lossOf(context, lasting, before, motion);
     ball.position += way();
     setMotion(motion, ball);
-    settleOnAll(context, contacts, lasting, ball);
+    stayInContact(context, contacts, lasting, before, h, ball);
     return {lasting, loss};
 }
 

@@ -76,11 +76,10 @@ private:
     bool m_lands = false;
 };
 
-/// The impacts of this moment, `after` seconds into the step, and their events. Nothing if nothing hits. Contacts
+/// The impacts of this moment, `after` seconds into the step, and their events. False if nothing hits. Contacts
 /// opposite to each other, between which the ball would bounce back and forth without end, are hit one at a time: the
-/// later ones are dropped. Moves the ball towards what it would reach within h (s), and changes the gaps accordingly;
-/// returns how much of h is left for the motion after that.
-std::optional<double> hit(const StepContext &context, Contacts &contacts, double after, double h, Ball &ball);
+/// later ones are dropped. Moves the ball towards what it would reach within h (s), and changes the gaps accordingly.
+bool hit(const StepContext &context, Contacts &contacts, double after, double h, Ball &ball);
 
 /// The rolling model's spin at a top face, which follows the velocity: model.md 13.1.
 class SpinOnFloor {

@@ -295,23 +295,57 @@ private:
     /// The contacts that the ball has, or gets along the ways.
     void meet(double start, const Ways &ways, Contacts &contacts, Ball &ball) {
         lookAhead(m_context, ball, ways.list(), m_h, contacts);
+        const Ball before = ball;
         SpinOnFloor spin(m_context, contacts, ball);
-        const double left = hitInThisScheme(contacts, start, ball).value_or(m_h);
+        hitInThisScheme(contacts, start, ball);
         spin.follow(contacts, ball);
-        if (left == m_h && rollBetweenWalls(contacts, ball)) {
-            spin.settle(true, ball);
+        spin.settle(goOn(contacts, before, ball), ball);
+    }
+
+    void hitInThisScheme(Contacts &contacts, double start, Ball &ball) const {
+        if constexpr (Scheme::kContactRule != ContactRule::Explicit) {
+            hit(m_context, contacts, start, m_h, ball);
         } else {
-            spin.settle(holdContacts(contacts, left, ball), ball);
+            const ExplicitLanding landing(m_context, contacts, m_h, ball);
+            hit(m_context, contacts, start, m_h, ball);
+            landing.leave(ball);
         }
     }
 
-    /// Returns the seconds that are left, or nothing if nothing hits.
-    std::optional<double> hitInThisScheme(Contacts &contacts, double start, Ball &ball) const {
-        if constexpr (Scheme::kContactRule != ContactRule::Explicit) return hit(m_context, contacts, start, m_h, ball);
-        const ExplicitLanding landing(m_context, contacts, m_h, ball);
-        const std::optional<double> left = hit(m_context, contacts, start, m_h, ball);
-        landing.leave(ball);
-        return left;
+    /// The motion after the impacts; before: the ball before them. Returns whether a top face pressed.
+    bool goOn(const Contacts &contacts, const Ball &before, Ball &ball) {
+        if (ball.position == before.position) return move(contacts, m_h, ball);
+        Ball end = ball;
+        const bool presses = tryToMove(contacts, end);
+        const double left = timeAfterWay(before, ball, end.position);
+        if (left < m_h || m_context.report.wanted()) return move(contacts, left, ball);
+        ball = end;
+        return presses;
+    }
+
+    /// The same for all of the substep, without a report.
+    bool tryToMove(const Contacts &contacts, Ball &ball) {
+        if (!m_context.report.wanted()) return move(contacts, m_h, ball);
+        Reporter silent;
+        DiscreteStep trial(m_context.setting, silent, m_context.work, m_plan, m_h);
+        return trial.move(contacts, m_h, ball);
+    }
+
+    /// The seconds that are left of a substep after impacts, which have put the ball where it is: all, unless that way
+    /// and the motion after it, to `end`, would lead farther than the ball can come, as after a fall onto an edge in
+    /// front of a floor. Then the way takes its time.
+    double timeAfterWay(const Ball &before, const Ball &ball, const Vec3 &end) const {
+        constexpr double kMostOfTime = 63.0 / 64.0;
+        const double speed = std::max(glm::length(before.velocity), glm::length(ball.velocity));
+        const double fastest = speed + m_h * glm::length(m_context.setting.gravity());
+        if (glm::distance(before.position, end) <= m_h * fastest) return m_h;
+        return m_h - std::min(glm::distance(before.position, ball.position) / fastest, kMostOfTime * m_h);
+    }
+
+    /// `left` seconds with all contacts. Returns whether a top face pressed.
+    bool move(const Contacts &contacts, double left, Ball &ball) {
+        if (left == m_h && rollBetweenWalls(contacts, ball)) return true;
+        return holdContacts(contacts, left, ball);
     }
 
     /// Whether the ball overlaps a box that isn't among the contacts.
@@ -340,18 +374,27 @@ private:
         if (Scheme::kContactRule != ContactRule::SecondOrder)
             return hold(m_context, contacts, Scheme::kContactRule, h, ball);
         Ball start = ball;
-        const Contacts kept = keepContacts(contacts, start);
+        Contacts kept = contacts;
+        keepContacts(kept, start);
         const bool arrives = kept.count() > 1 && std::any_of(kept.begin(), kept.end(), [&](const Contact &contact) {
                                  return contact.gap > m_context.scene().tolerance;
                              });
         if (!arrives) {
             Reporter silent;
+            const StepContext trial{m_context.setting, silent, m_context.work};
+            std::array<bool, Contacts::kMost> presses;
             Ball next = start;
-            const bool pressesOnTop = holdOrFly({m_context.setting, silent, m_context.work}, kept, h, next);
+            bool pressesOnTop = holdOrFly(trial, kept, h, next, presses);
+            while (dropOpening(ball, presses, kept)) {
+                start = ball;
+                keepContacts(kept, start);
+                next = start;
+                pressesOnTop = holdOrFly(trial, kept, h, next, presses);
+            }
             if (kept.empty() || !overlapsAnother(contacts, kept, next)) {
-                const bool presses = m_context.report.wanted() ? holdOrFly(m_context, kept, h, start) : pressesOnTop;
-                ball = m_context.report.wanted() ? start : next;
-                return presses;
+                if (m_context.report.wanted()) holdOrFly(m_context, kept, h, start, presses);
+                ball = next;
+                return pressesOnTop;
             }
         }
         // While held at one contact the ball comes to another within the substep: the rule that closes gaps handles
@@ -359,8 +402,9 @@ private:
         return hold(m_context, contacts, ContactRule::Closing, h, ball);
     }
 
-    bool holdOrFly(const StepContext &context, const Contacts &contacts, double h, Ball &ball) const {
-        if (!contacts.empty()) return hold(context, contacts, ContactRule::SecondOrder, h, ball);
+    bool holdOrFly(const StepContext &context, const Contacts &contacts, double h, Ball &ball,
+                   std::span<bool> presses) const {
+        if (!contacts.empty()) return hold(context, contacts, ContactRule::SecondOrder, h, ball, presses);
         moveBy(flightLaw(m_context.params()), h, ball);
         return false;
     }
@@ -375,14 +419,13 @@ private:
         });
     }
 
-    /// The contacts that the ball doesn't leave, which includes those that it leaves at a negligible speed. That speed
-    /// is removed, unless normals are so nearly parallel that far more would be removed: two edges of a hairline crack.
-    Contacts keepContacts(const Contacts &contacts, Ball &ball) const {
-        Contacts result = contacts;
+    /// Drops the contacts that the ball leaves, except those that it leaves slowly. Their speed is removed, unless
+    /// normals are so nearly parallel that far more would be removed: two edges of a hairline crack.
+    void keepContacts(Contacts &contacts, Ball &ball) const {
         NormalSpan kept;
         double fastest = 0.0;
         const double negligible = negligibleSpeed(motionOf(ball), m_context.radius());
-        result.drop([&](const Contact &contact) {
+        contacts.drop([&](const Contact &contact) {
             const double speed = glm::dot(ball.velocity, contact.normal);
             const bool isTouched = contact.gap <= m_context.scene().tolerance;
             // Friction at another contact may press the ball where gravity doesn't.
@@ -394,7 +437,18 @@ private:
         });
         const Vec3 across = kept.across(ball.velocity);
         if (glm::distance(across, ball.velocity) <= kMostTaken * fastest) ball.velocity = across;
-        return result;
+    }
+
+    /// Drops the contacts that the ball leaves and that nothing presses even without the speed with which it leaves
+    /// them: such a speed is no bounce. Returns whether there were any.
+    bool dropOpening(const Ball &ball, std::span<const bool> presses, Contacts &contacts) const {
+        const double negligible = negligibleSpeed(motionOf(ball), m_context.radius());
+        const uint32_t count = contacts.count();
+        const bool *pressing = presses.data();
+        contacts.drop([&](const Contact &contact) {
+            return !*pressing++ && glm::dot(ball.velocity, contact.normal) > negligible;
+        });
+        return contacts.count() < count;
     }
 
     StepPlan m_plan;

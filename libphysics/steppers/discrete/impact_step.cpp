@@ -140,31 +140,24 @@ Vec3 wayToImpact(const StepContext &context, const Contacts &contacts, double h,
     return way + leastWay({others.data(), otherCount}, negligible);
 }
 
-/// Moves the ball there, if it has room and the impact takes more energy than the way. Returns the seconds of h that
-/// are left: all, unless the ball would come farther that way than it can within h, as after a fall onto an edge in
-/// front of a floor.
-double moveToImpact(const StepContext &context, const Impacts &impacts, const Vec3 &way, double h, double speed,
-                    Contacts &contacts, Ball &ball) {
-    constexpr double kMostOfTime = 63.0 / 64.0;
+/// Moves the ball there, if it has room and the impact takes more energy than the way.
+void moveToImpact(const StepContext &context, const Impacts &impacts, const Vec3 &way, Contacts &contacts, Ball &ball) {
     const double lifted = -glm::dot(context.setting.gravity(), way);
-    if (way == Vec3(0.0) || lifted > impacts.lostNormal || !hasRoom(context, ball.position + way)) return h;
+    if (way == Vec3(0.0) || lifted > impacts.lostNormal || !hasRoom(context, ball.position + way)) return;
     ball.position += way;
     for (Contact &contact : contacts) contact.gap += glm::dot(contact.normal, way);
-    const double fastest = std::max(speed, glm::length(ball.velocity)) + h * glm::length(context.setting.gravity());
-    const bool isTooFar = glm::length(way + h * ball.velocity) > h * fastest;
-    return isTooFar ? h - std::min(glm::length(way) / fastest, kMostOfTime * h) : h;
 }
 
 } // namespace
 
-std::optional<double> hit(const StepContext &context, Contacts &contacts, double after, double h, Ball &ball) {
+bool hit(const StepContext &context, Contacts &contacts, double after, double h, Ball &ball) {
     constexpr double kModes = 4e-8; // of the speed: an approach that modes may leave, model.md 13.5
-    const double speedBefore = glm::length(ball.velocity);
+    const double speed = glm::length(ball.velocity);
     const bool any = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
-        const double least = contact.isFace() ? 0.0 : kModes * speedBefore;
+        const double least = contact.isFace() ? 0.0 : kModes * speed;
         return -glm::dot(ball.velocity, contact.normal) > std::max(contact.restSpeed, least);
     });
-    if (!any) return std::nullopt;
+    if (!any) return false;
     meetAhead(context, h, ball, contacts);
     Motion motion = motionOf(ball);
     Work work; // limited as for a step of `exact`
@@ -176,11 +169,11 @@ std::optional<double> hit(const StepContext &context, Contacts &contacts, double
     if (impacts.rounds > 1) context.work.add(work.done()); // a single round belongs to the substep, or event
     const Vec3 way = wayToImpact(context, contacts, h, motionOf(ball), motion);
     setMotion(motion, ball);
-    const double left = moveToImpact(context, impacts, way, h, speedBefore, contacts, ball);
+    moveToImpact(context, impacts, way, contacts, ball);
     context.report.lostImpact(impacts.lostNormal);
     context.report.lostSlip(impacts.lostSlip);
     context.report.passes(impacts.rounds);
-    if (!context.report.wanted()) return left;
+    if (!context.report.wanted()) return true;
     for (uint32_t i = 0; i < contacts.count(); ++i) {
         const Contact &contact = contacts[i];
         if (impacts.approach[i] == 0.0) continue;
@@ -189,7 +182,7 @@ std::optional<double> hit(const StepContext &context, Contacts &contacts, double
                              std::max(0.0, glm::dot(ball.velocity, contact.normal)),
                              context.scene().givenBox(contact.box, contact.point));
     }
-    return left;
+    return true;
 }
 
 } // namespace phys

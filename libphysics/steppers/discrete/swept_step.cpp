@@ -226,9 +226,10 @@ void SweptStep::dropWhatIsLeft() {
     const auto speed = [&](const Contact &contact) { return glm::dot(velocity, contact.normal); };
     m_contacts.drop([&](const Contact &contact) { return speed(contact) > leavingSpeed(contact.restSpeed); });
     keepContacts(velocity);
-    const bool hasHops = std::any_of(m_contacts.begin(), m_contacts.end(),
-                                     [&](const Contact &contact) { return speed(contact) > contact.restSpeed; });
-    if (hasHops) dropWhatNothingPresses(velocity);
+    const double negligible = negligibleSpeed({velocity, m_ball.spin}, m_context.radius());
+    const bool leaves = std::any_of(m_contacts.begin(), m_contacts.end(),
+                                    [&](const Contact &contact) { return speed(contact) > negligible; });
+    if (leaves) dropWhatNothingPresses(velocity, negligible);
     finishHops(velocity);
     snapToFaces();
     m_isAlone =
@@ -339,7 +340,7 @@ bool SweptStep::isBound(double speed) const {
 
 /// Of the contacts that the ball leaves slowly, keeps those that press if the ball doesn't leave them now; it may
 /// later.
-void SweptStep::dropWhatNothingPresses(const Vec3 &velocity) {
+void SweptStep::dropWhatNothingPresses(const Vec3 &velocity, double negligible) {
     std::array<bool, Contacts::kMost> presses;
     pressesNow(presses);
     NormalSpan kept;
@@ -347,12 +348,12 @@ void SweptStep::dropWhatNothingPresses(const Vec3 &velocity) {
     const bool *pressing = presses.data();
     m_contacts.drop([&](const Contact &contact) {
         const double speed = glm::dot(velocity, contact.normal);
-        const bool lasts = *pressing++ || speed <= contact.restSpeed;
+        const bool lasts = *pressing++ || speed <= negligible;
         if (lasts) {
             kept.add(contact.normal);
             most = std::max(most, kMostTaken * std::abs(speed));
         }
-        return !lasts && speed > m_slow;
+        return !lasts;
     });
     loseSpeedAlong(kept, most, velocity);
 }

@@ -91,7 +91,7 @@ private:
     void keepContacts(const Vec3 &velocity);
     bool loseSpeedAlong(const NormalSpan &kept, double most, const Vec3 &velocity);
     bool isBound(double speed) const;
-    void dropWhatNothingPresses(const Vec3 &velocity);
+    void dropWhatNothingPresses(const Vec3 &velocity, double negligible);
     void finishPhase(double t);
     template<class Left>
     double timeToZero(double end, double start, Left left) const;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Features whose normals are nearly parallel, nearly opposite or nearly in one plane: an edge a hair beside the centre,
-// a mouth hardly lower than the ball. Equations there lose digits, and what they lose must neither hold the ball nor
-// drive it: model.md 14.1.
+// a mouth hardly lower than the ball; or gravity that hardly opens a contact. Equations there lose digits, and what
+// they lose must neither hold the ball nor drive it: model.md 14.1.
+#include "support/compare.h"
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
 
@@ -80,6 +81,10 @@ private slots:
     void resistanceHoldsABallInANarrowMouth();
     void resistanceStopsABallInANarrowMouth_data() { addStepperRows(); }
     void resistanceStopsABallInANarrowMouth();
+    void climbsAKerbHoweverShortTheStep_data() { addStepperAndModelRows(); }
+    void climbsAKerbHoweverShortTheStep();
+    void leavesAWallHoweverShortTheStep_data() { addStepperRows(); }
+    void leavesAWallHoweverShortTheStep();
 };
 
 void TestNearlyAligned::noHairHoldsABall_data() {
@@ -141,6 +146,43 @@ void TestNearlyAligned::resistanceStopsABallInANarrowMouth() {
     ball.state.spin = {-20.0, 50.0, 0.0};
     QVERIFY2(ball.stepTimes(200, 1e-3), ball.error());
     QVERIFY(ball.state.flags & PHYS_AT_REST);
+}
+
+/// Beyond the tilt at which it tips by a share so small that it leaves the floor by less than rounding in a step.
+void TestNearlyAligned::climbsAKerbHoweverShortTheStep() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    constexpr double R = 0.006, kHeight = 0.5 * R, kShare = 1e-6, kGravity = 9.81;
+    const double edge = std::sqrt(R * R - (R - kHeight) * (R - kHeight)), tipping = edge / (R - kHeight);
+    SceneBuilder scene;
+    scene.ball(R).start({0.0, 0.0, R});
+    scene.box({{-1.0, -1.0, -1.0}, {1.0, 1.0, 0.0}}).box({{edge, -1.0, 0.0}, {1.0, 1.0, kHeight}});
+    for (const double dt : {1e-5, 1e-6, 1e-7}) {
+        Experiment ball(scene, stepper, model);
+        ball.params.gravity = {kGravity * tipping * (1.0 + kShare), 0.0, -kGravity};
+        QVERIFY2(ball.stepTimes(100, dt), ball.error());
+        // Across the edge, whose normal is (-edge, R - height)/R.
+        const double acceleration = kShare * kGravity * tipping * (R - kHeight) / R, end = 100.0 * dt;
+        const phys_vec3 &v = ball.state.velocity;
+        COMPARE_WITHIN(v.x * (R - kHeight) / R + v.z * edge / R, acceleration * end, 0.02 * acceleration * end);
+    }
+}
+
+/// The friction of a spinning ball on the floor, 4.5 m/s^2, drives it off a wall against gravity.
+void TestNearlyAligned::leavesAWallHoweverShortTheStep() {
+    QFETCH(QByteArray, stepper);
+    constexpr double R = 0.25, kAway = 0.45 * 10.0 - 3.0;
+    SceneBuilder scene;
+    scene.ball(R).start({0.0, 0.0, R});
+    scene.box({{-5.0, -5.0, -1.0}, {5.0, 5.0, 0.0}}).box({{-5.0, R, 0.0}, {5.0, 5.0, 2.0}});
+    for (const double dt : {1e-6, 1e-8, 1e-10}) {
+        Experiment ball(scene, stepper, PHYS_MODEL_RIGID);
+        ball.params.gravity = {0.0, 3.0, -10.0};
+        ball.params.sliding_friction = 0.45;
+        ball.state.spin.x = 8.0;
+        QVERIFY2(ball.stepTimes(200, dt), ball.error());
+        COMPARE_WITHIN(ball.state.velocity.y, -kAway * 200.0 * dt, 1e-3 * kAway * 200.0 * dt);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestNearlyAligned)

@@ -286,6 +286,8 @@ private slots:
     void aFloorThatTheBallLeavesSlowlyHoldsItNoMore();
     void aBallRollsOffWhereFourContactsCouldHoldIt_data() { addStepperRows(); }
     void aBallRollsOffWhereFourContactsCouldHoldIt();
+    void aCornerThatRubsLeavesTheFloorItsResistance_data();
+    void aCornerThatRubsLeavesTheFloorItsResistance();
     void randomStartsAccelerateAsInExact_data() { addStepperRows(); }
     void randomStartsAccelerateAsInExact();
 };
@@ -524,6 +526,55 @@ void TestSeveralSolutions::aBallRollsOffWhereFourContactsCouldHoldIt() {
     QVERIFY2(ball.stepTimes(kSteps, 0.07456604298887341 / kSteps), ball.error());
     QVERIFY(std::abs(ball.state.velocity.x - 0.02085) < 1e-4);
     QVERIFY(std::abs(ball.state.velocity.y + 0.02064) < 1e-4);
+}
+
+/// A ball of radius 1 that rolls on a floor and rubs at the low corner of a box.
+Start rubbingAt(const phys_vec3 &corner, const phys_vec3 &velocity, double turn, double gx, double gy) {
+    Start start;
+    start.radius = 1.0;
+    start.boxes = {{{-20.0, -20.0, -1.0}, {20.0, 20.0, 0.0}}, {{corner.x, corner.y, 0.0}, {10.0, 10.0, corner.z}}};
+    start.place.z = 1.0;
+    start.velocity = velocity;
+    start.spin = {-velocity.y, velocity.x, turn};
+    start.gravity = {gx, gy, -1.0};
+    return start;
+}
+
+void TestSeveralSolutions::aCornerThatRubsLeavesTheFloorItsResistance_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<int>("which");
+    for (const QByteArray &stepper : stepperIds()) {
+        for (int i = 0; i < 3; ++i) QTest::addRow("%s, %d", stepper.constData(), i) << stepper << i;
+    }
+}
+
+/// Its normal turns: if it presses more for one substep, the floor presses less, and its slip begins, without
+/// resistance from then on.
+void TestSeveralSolutions::aCornerThatRubsLeavesTheFloorItsResistance() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(int, which);
+    Start starts[] = {rubbingAt({0.79788320261958812, 0.40968394607939751, 0.55779929974917197},
+                                {-0.20470541801020251, 0.39867565248433739, 0.0}, 0.20218633561585883,
+                                0.91218664351240597, 0.19875486821171684),
+                      rubbingAt({0.22819921825874251, 0.3755415544774135, 0.10172740348667735},
+                                {0.30188551906214933, -0.18344185518825318, 0.0}, -0.30534966941989733,
+                                0.74671639701284143, 0.14670541158945916),
+                      rubbingAt({0.97599569409273357, 0.1814316651492375, 0.87952196883407219},
+                                {-0.10963280749645526, 0.58976005075973692, 0.0}, -1.707712798997294,
+                                0.67464246854892584, 0.42385001148752854)};
+    constexpr double kFrictions[][3] = {{0.5, 0.5, 0.06},
+                                        {0.17971815111742107, 0.88930551053064499, 0.17971815111742107},
+                                        {0.40462169871373765, 0.89646530111289002, 0.26312814003775498}};
+    Start &start = starts[which];
+    start.floor = kFrictions[which][0];
+    start.wall = kFrictions[which][1];
+    start.rolling = kFrictions[which][2];
+    Experiment ball = ballOf(stepper, start), exact = ballOf("exact", start);
+    QVERIFY2(ball.stepTimes(1000, 1e-5) && exact.step(0.01), ball.error());
+    const phys_vec3 &v = ball.state.velocity, &wanted = exact.state.velocity;
+    const double off = sizeOf({v.x - wanted.x, v.y - wanted.y, 0.0});
+    const double change = sizeOf({wanted.x - start.velocity.x, wanted.y - start.velocity.y, 0.0});
+    QVERIFY2(off < 0.01 * change, qPrintable(QStringLiteral("off by %1 of the change").arg(off / change)));
 }
 
 void TestSeveralSolutions::randomStartsAccelerateAsInExact() {
