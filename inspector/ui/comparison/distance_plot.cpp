@@ -45,7 +45,6 @@ DistancePlot::DistancePlot(const SampleRing &samples, QWidget *parent)
     , m_high(addGraph())
     , m_middle(addGraph()) {
     setObjectName(QStringLiteral("distance_plot"));
-    setMinimumHeight(140); // room for the labels of both axes
     addCurve(Channel::Distance, &Accents::total);
     curves().front().graph->removeFromLegend(); // the axis label names it
     m_high->setBrush(kBandFill);

@@ -109,6 +109,10 @@ void fitChart(QCustomPlot &chart) {
     const int least = chart.height() < (chart.legend->rowCount() + kLinesBesideAxis) * line ? 1 : 2;
     const int ticks = std::clamp((chart.height() - kLinesBesideAxis * line) / (2 * line), least, kMostTicks);
     for (const QCPAxis *axis : {chart.yAxis, chart.yAxis2}) axis->ticker()->setTickCount(ticks);
+    const QMargins margins = chart.axisRect()->margins();
+    const int numbers = (chart.width() - margins.left() - margins.right()) /
+                        QFontMetrics(chart.font()).horizontalAdvance(QStringLiteral("00.00  "));
+    chart.xAxis->ticker()->setTickCount(std::clamp(numbers, 1, kMostTicks));
 }
 
 QString LogTicker::getTickLabel(double tick, const QLocale &locale, QChar format, int) {
@@ -119,9 +123,20 @@ QString LogTicker::getTickLabel(double tick, const QLocale &locale, QChar format
     return QCPAxisTickerLog::getTickLabel(tick, locale, format, decimals);
 }
 
+/// QCPAxisTickerLog may return twice as many ticks as wanted, for which a short axis has no room.
+QVector<double> LogTicker::thinned(const QVector<double> &ticks, const QCPRange &range) const {
+    const auto shown = std::ranges::count_if(ticks, [&range](double tick) { return range.contains(tick); });
+    const qsizetype most = std::max(1, 2 * tickCount() - 1);
+    const qsizetype pitch = std::max<qsizetype>(1, (shown + most - 1) / most);
+    QVector<double> kept;
+    for (qsizetype i = 0; i < ticks.size(); i += pitch) kept.append(ticks[i]);
+    return kept;
+}
+
 QVector<double> LogTicker::createTickVector(double step, const QCPRange &range) {
     const double decades = std::log10(range.upper / range.lower);
-    if (!(decades > kLinearDecades && decades < kTickDecades)) return QCPAxisTickerLog::createTickVector(step, range);
+    if (!(decades > kLinearDecades)) return QCPAxisTickerLog::createTickVector(step, range);
+    if (decades >= kTickDecades) return thinned(QCPAxisTickerLog::createTickVector(step, range), range);
     QVector<double> ticks;
     const int lowest = static_cast<int>(std::floor(std::log10(range.lower)));
     const int highest = static_cast<int>(std::floor(std::log10(range.upper)));

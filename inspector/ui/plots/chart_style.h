@@ -40,6 +40,9 @@ class LogTicker : public QCPAxisTickerLog {
 protected:
     QString getTickLabel(double tick, const QLocale &locale, QChar format, int precision) override;
     QVector<double> createTickVector(double step, const QCPRange &range) override;
+
+private:
+    QVector<double> thinned(const QVector<double> &ticks, const QCPRange &range) const;
 };
 
 /// Makes an axis logarithmic, labelled in powers of ten.

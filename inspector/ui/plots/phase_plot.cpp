@@ -32,7 +32,7 @@ PhasePlot::PhasePlot(const SampleRing &samples, Channel x, Channel y, std::share
     , m_dot(new QCPItemTracer(this))
     , m_cursorDot(new QCPItemTracer(this))
     , m_text(new QCPTextElement(this)) {
-    setMinimumSize(160, 80);
+    setMinimumSize(140, 80);
     setMouseTracking(true);
     setLocale(QLocale::c());
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);

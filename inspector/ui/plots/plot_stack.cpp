@@ -55,6 +55,7 @@ QuantityPlot *PlotStack::addPlot(const PlotContent &content) {
     QuantityPlot *plot = makePlot(content);
     shareHeight(heights);
     remember();
+    emit added(plot);
     return plot;
 }
 
@@ -63,7 +64,12 @@ PhasePlot *PlotStack::addPhasePlot(Channel x, Channel y) {
     PhasePlot *plot = makePhasePlot(x, y);
     shareHeight(heights);
     remember();
+    emit added(plot);
     return plot;
+}
+
+void PlotStack::tellPlaces() {
+    for (QuantityPlot *plot : m_plots) plot->setPlace({plot == m_plots.front(), plot == m_plots.back()});
 }
 
 /// Gives the newest plot the mean height; the others keep their proportions. heights: before it was added.
@@ -78,6 +84,7 @@ QuantityPlot *PlotStack::makePlot(const PlotContent &content) {
                                         : QStringLiteral("plot_%1").arg(m_plots.size() + 1));
     m_plots.push_back(plot);
     addWidget(plot);
+    tellPlaces();
     plot->showBounces(m_bounces, m_selected);
     connect(plot, &TimePlot::bounceClicked, this, &PlotStack::bounceClicked);
     connect(plot, &QuantityPlot::contentChanged, this, &PlotStack::remember);
@@ -112,6 +119,7 @@ void PlotStack::removePlot(QWidget *plot) {
         m_plots.erase(over);
     }
     std::erase(m_phasePlots, plot);
+    tellPlaces();
     plot->hide();
     plot->deleteLater();
     remember();
@@ -156,7 +164,20 @@ void PlotStack::fillMenu(QMenu &menu, QWidget *plot) {
 /// Plots behind another dock are drawn once they are seen.
 void PlotStack::refresh(const RunContext &context) {
     for (QuantityPlot *plot : m_plots) plot->setContext(context);
-    if (!first().visibleRegion().isEmpty()) drawAll();
+    if (isSeen()) drawAll();
+}
+
+/// The stack itself is covered by its plots, some of which may be scrolled away.
+bool PlotStack::isSeen() const {
+    return std::ranges::any_of(shown(), [](const QWidget *plot) { return !plot->visibleRegion().isEmpty(); });
+}
+
+/// From top to bottom, without those that were removed.
+QList<QCustomPlot *> PlotStack::shown() const {
+    QList<QCustomPlot *> plots;
+    for (int i = 0; i < count(); ++i)
+        if (auto *plot = qobject_cast<QCustomPlot *>(widget(i)); plot && !plot->isHidden()) plots += plot;
+    return plots;
 }
 
 void PlotStack::drawAll() {
@@ -213,14 +234,9 @@ bool PlotStack::save(const QString &path, QString *error) {
     drawAll();
     const bool isTable = QFileInfo(path).suffix().compare(QLatin1String("csv"), Qt::CaseInsensitive) == 0;
     if (isTable || count() == 1) return first().save(path, error);
+    const QList<QCustomPlot *> shown = this->shown();
     int lowest = kLeastPlotSize.height();
-    QList<QCustomPlot *> shown;
-    for (int i = 0; i < count(); ++i) {
-        auto *plot = qobject_cast<QCustomPlot *>(widget(i));
-        if (!plot || plot->isHidden()) continue;
-        shown += plot;
-        lowest = std::clamp(plot->height(), 1, lowest);
-    }
+    for (const QCustomPlot *plot : shown) lowest = std::clamp(plot->height(), 1, lowest);
     const auto stretched = [lowest](const QWidget *plot) { return plot->height() * kLeastPlotSize.height() / lowest; };
     const int wide = std::max(width(), kLeastPlotSize.width());
     std::vector<PlacedPlot> plots;

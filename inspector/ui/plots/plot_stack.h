@@ -39,6 +39,7 @@ public:
     QuantityPlot *addPlot(const PlotContent &content);
     PhasePlot *addPhasePlot(Channel x, Channel y);
     void removePlot(QWidget *plot); ///< except for the last time plot
+    bool isSeen() const;            ///< not behind another dock
     /// Fills one plot's context menu.
     void fillMenu(QMenu &menu, QWidget *plot);
 
@@ -47,12 +48,15 @@ public:
 
 signals:
     void bounceClicked(double time); ///< s
+    void added(QWidget *plot);       ///< by the user
 
 private:
     /// Doesn't store the change in the settings.
     QuantityPlot *makePlot(const PlotContent &content);
     PhasePlot *makePhasePlot(Channel x, Channel y);
     void shareHeight(QList<int> heights);
+    void tellPlaces();
+    QList<QCustomPlot *> shown() const;
     void drawAll();
     void offerMenu(QWidget *plot);
     void restore();

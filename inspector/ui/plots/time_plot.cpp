@@ -18,6 +18,7 @@ namespace {
 constexpr double kSmallestSpan = 1e-9; ///< smallest span of values
 constexpr double kLargestSpan = 1e9;
 constexpr float kBesideAlpha = 0.35F;
+constexpr int kReadOutMargin = 12;     ///< pixels beside the legend
 constexpr double kLeastStretch = 1e-3; ///< of a row: as high as it needs to be
 
 /// Limits the range, keeping its middle. A logarithmic axis is limited by its values.
@@ -37,7 +38,6 @@ public:
         : QCPTextElement(plot) {
         setObjectName(QStringLiteral("read_out"));
         setTextFlags(Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap);
-        setMargins(QMargins(12, 0, 4, 0));
     }
     QSize minimumOuterSizeHint() const override { return {0, m_height}; }
     QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, QWIDGETSIZE_MAX}; }
@@ -66,7 +66,7 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     , m_cursorLine(new QCPItemStraightLine(this))
     , m_momentLine(new QCPItemStraightLine(this))
     , m_text(new ReadOutText(this)) {
-    setMinimumSize(160, 80);
+    setMinimumWidth(140);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
@@ -76,6 +76,7 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     layOutLegend();
     takeColours();
     fitLabels(height());
+    fitLeastHeight();
     connect(m_time.get(), &TimeView::changed, this, [this] { m_isStale = true; });
     connect(xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), m_time.get(), &TimeView::setRange);
     xAxis->setRange(m_time->range());
@@ -95,7 +96,7 @@ void TimePlot::fitLegend() {
     legend->setIconSize(isSmall ? QSize(14, 14) : QSize(32, 18));
     legend->setColumnSpacing(isSmall ? 8 : 18);
     legend->setRowSpacing(isSmall ? 0 : 3);
-    legend->setMargins(QMargins(isSmall ? 6 : leftMargin(), 4, 8, 0));
+    legend->setMargins(QMargins(isSmall ? std::max(6, m_labels.unitWidth()) : leftMargin(), 4, 8, 0));
 }
 
 /// Room for usual numbers and for the label, the same in all plots, so that stacked ones are aligned.
@@ -104,34 +105,27 @@ int TimePlot::leftMargin() const {
     return fontMetrics().horizontalAdvance(QStringLiteral("-0.0000")) + fontMetrics().height() + kTicks;
 }
 
-/// A plot that is too low for its legend leaves it out: its lines would be cut.
-void TimePlot::leaveOutLegend() {
-    constexpr int kAxes = 4; // lines of text that the axes need
-    const int needed = legend->minimumOuterSizeHint().height() + kAxes * fontMetrics().height();
-    const bool hasRoom = height() >= needed;
-    if (hasRoom == legend->visible()) return;
-    legend->setVisible(hasRoom);
-    hasRoom ? m_legendLine->addElement(0, 0, legend) : m_legendLine->take(legend);
+void TimePlot::fitLabels(int height) { m_labels.fit(height, tr("Time [s]"), m_place.isLowest); }
+
+/// Room for the legend, some lines of curves, and the times.
+void TimePlot::fitLeastHeight() {
+    const double lines = m_place.isLowest ? 4.5 : 3.0; // of text
+    setMinimumHeight(legend->minimumOuterSizeHint().height() + int(lines * fontMetrics().height()));
 }
 
-/// A low plot leaves the labels of its axes out: for the lower one there is no room, and the others would be cut.
-void TimePlot::fitLabels(int height) {
-    constexpr int kLeastLines = 7; // of text
-    const bool isLow = height < kLeastLines * fontMetrics().height();
-    xAxis->setLabel(isLow ? QString() : tr("Time [s]"));
-    for (QCPAxis *axis : {yAxis, yAxis2})
-        axis->setLabelColor(isLow ? QColor(Qt::transparent) : palette().color(QPalette::Text));
+void TimePlot::setPlace(const StackPlace &place) {
+    m_place = place;
+    m_isStale = true;
 }
 
-int TimePlot::roomBesideLegend() const {
-    return std::max(0, width() - (legend->layout() ? legend->minimumOuterSizeHint().width() : 0));
-}
+int TimePlot::roomBesideLegend() const { return std::max(0, width() - legend->minimumOuterSizeHint().width()); }
 
 /// Puts the read-out beside the legend if there is room for the longest so far, so that the curves don't move at each
 /// value, and otherwise below it.
 void TimePlot::placeReadOut() {
     if (m_readOut) m_longestReadOut = std::max(m_longestReadOut, m_text->lineWidth(m_text->text()));
     const bool isBelow = m_longestReadOut > roomBesideLegend();
+    m_text->setMargins(QMargins(std::max(kReadOutMargin, isBelow ? m_labels.unitWidth() : 0), 0, 4, 0));
     m_text->fitHeight(width());
     QCPLayoutGrid *place = isBelow ? plotLayout() : m_legendLine;
     if (m_text->layout() == place) return;
@@ -195,6 +189,7 @@ void TimePlot::takeColours() {
     m_momentLine->setPen(QPen(mixed(base, text, 0.8), 1.5));
     m_text->setTextColor(text);
     m_text->setFont(font());
+    m_labels.takeLook();
     QMargins margins = axisRect()->minimumMargins();
     margins.setLeft(leftMargin());
     axisRect()->setMinimumMargins(margins);
@@ -222,10 +217,10 @@ void TimePlot::refresh() {
         loadBeside(curve);
     }
     loadBesides(shownTimes());
-    fitLegend();
     fitLabels(height());
+    fitLegend();
     fitChart(*this);
-    leaveOutLegend();
+    fitLeastHeight();
     if (m_fitsValues && newest) fitValues();
     m_fitsAtOnce = false;
     for (QCPGraph *graph : graphs())
@@ -455,10 +450,10 @@ std::optional<Sample> TimePlot::sampleAt(double time) const {
     return left;
 }
 
-/// Hints on how to use the plot, if there is room for them: after a resize, the layout has the new one only later.
+/// Hints on how to use the plots, if there is room for them: after a resize, the layout has the new one only later.
 QString TimePlot::hint() const {
     const QString text = tr("Wheel: zoom · drag: move · double click: follow");
-    return m_text->lineWidth(text) <= roomBesideLegend() ? text : QString();
+    return m_place.isHighest && m_text->lineWidth(text) <= roomBesideLegend() ? text : QString();
 }
 
 void TimePlot::dressForPicture(int height) {

@@ -4,6 +4,7 @@
 #include "core/program/csv_writer.h"
 #include "core/simulation/sample_ring.h"
 #include "ui/parts/theme.h"
+#include "ui/plots/axis_labels.h"
 #include "ui/plots/time_view.h"
 
 #include <memory>
@@ -23,6 +24,12 @@ struct RunContext {
     std::optional<double> moment;                      ///< the moment shown in the past, s
     std::optional<double> left;                        ///< s, when the ball left the maze; it falls then
     bool operator==(const RunContext &) const = default;
+};
+
+/// Of a plot among those above each other on one time axis.
+struct StackPlace {
+    bool isHighest = true; ///< has the hint on how to use them
+    bool isLowest = true;  ///< has the times, even if it is low
 };
 
 /// Channels of a sample ring over time; loads only what is visible. Subclasses define which channels are shown and how.
@@ -49,6 +56,7 @@ public:
     /// height.
     void showBounces(std::vector<double> times, std::optional<double> selected);
     void setContext(const RunContext &context);
+    void setPlace(const StackPlace &place);
 
     /// Until dressForWindow() the plot has what a picture of that height, in screen pixels, has: labels if there is
     /// room for them, and no hint on how to use it.
@@ -109,8 +117,8 @@ protected:
 
 private:
     void fitLegend();
-    void leaveOutLegend();
     void fitLabels(int height);
+    void fitLeastHeight();
     void layOutLegend(); ///< in one line, with the read-out if there is room
     void zoomTime(double factor);
     void zoomValues(double factor);
@@ -139,6 +147,8 @@ private:
     std::vector<Curve> m_curves;
     std::vector<Key> m_keys;
     RunContext m_context;
+    StackPlace m_place;
+    AxisLabels m_labels{*this};
     BounceTicks *m_ticks;
     QCPItemStraightLine *m_cursorLine;
     QCPItemStraightLine *m_momentLine;

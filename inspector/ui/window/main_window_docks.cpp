@@ -11,6 +11,7 @@
 #include "ui/parts/dock_room.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/plots/plot_panel.h"
+#include "ui/plots/plot_scroll.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/runs/run_dock.h"
 #include "ui/track/track_dock.h"
@@ -105,7 +106,8 @@ QWidget *MainWindow::makeParameters(MainWindow &window) {
 
 QWidget *MainWindow::makePlots(MainWindow &window) {
     window.m_plots = new PlotStack(window.m_session.simulation().samples(), window.m_session.settings());
-    return window.m_plotPanel = new PlotPanel(window.m_plots, window.m_plots->time(), QStringLiteral("plot"));
+    auto *scroll = new PlotScroll(*window.m_plots);
+    return window.m_plotPanel = new PlotPanel(scroll, window.m_plots->time(), QStringLiteral("plot"));
 }
 
 QWidget *MainWindow::makeComparison(MainWindow &window) {

@@ -27,7 +27,7 @@ void MainWindow::saveRun() {
 /// The one that is seen: their docks lie behind each other.
 void MainWindow::savePlot() {
     const auto isSeen = [](const QWidget *widget) { return !widget->visibleRegion().isEmpty(); };
-    if (isSeen(&m_plots->first())) return saveCurves(); // the stack itself is covered by its plots
+    if (m_plots->isSeen()) return saveCurves();
     if (isSeen(m_comparison)) return saveDistance();
     if (isSeen(m_trade)) return saveTrade();
     if (isSeen(m_track)) return saveFit();

@@ -438,6 +438,7 @@ void TestWindowPlot::plotIsAddedWhileValuesAreRead() {
 }
 
 void TestWindowPlot::addedPlotSharesTheHeight() {
+    m_fixture->window().resizeDocks({m_fixture->find<QDockWidget>("plot_dock")}, {400}, Qt::Vertical);
     for (const char *name : {"Energy", "The way on the board (y over x)"}) {
         QMenu *menu = menuOf(m_plot);
         for (QAction *entry : menu->findChildren<QAction *>())
