@@ -21,7 +21,7 @@ void RunHistory::follow(const Snapshot &now) {
     const auto isGone = [&](const KeptRun &run) { return run.end <= now.history.begin; };
     if (now.run != m_oldFutureRun && !m_oldFuture->empty()) m_oldFuture = kept({});
     std::erase_if(m_runs, isGone);
-    if (m_beside && isGone(m_beside->run)) m_beside.reset();
+    if (m_beside.run() && isGone(*m_beside.run())) m_beside.remove();
 }
 
 void RunHistory::update(const KeptRun &live) {

@@ -139,8 +139,7 @@ public:
 
     // ---- a run of the history, laid beside the others ----
 
-    /// Compares this run, named by its begin, with any other of its maze; empty: none. A long one up to its first
-    /// 100,000 steps. Returns when it is repeated.
+    /// Compares this run, named by its begin, with any other of its maze; empty: none. It is repeated meanwhile.
     void layBeside(std::optional<uint64_t> begin);
     /// What to show in pale colours beside the run shown: that run, or what followed the moment that was last taken
     /// over. Never null; ascending times.

@@ -12,11 +12,6 @@
 
 namespace inspector {
 
-namespace {
-constexpr uint64_t kMostStepsBeside = 100000; ///< repeating them takes a moment
-constexpr uint64_t kIntervalsBeside = 4000;   ///< that the samples divide them into
-} // namespace
-
 RunPlace Session::runPlace() {
     const Snapshot &now = m_simulation->latest();
     const HistoryPlace &kept = now.history;
@@ -172,26 +167,19 @@ void Session::watchRuns(const Snapshot &now) {
 }
 
 void Session::layBeside(std::optional<uint64_t> begin) {
-    m_history.layBeside({});
+    m_history.beside().remove();
     const auto run = std::ranges::find(m_history.runs(), begin, &KeptRun::begin);
     if (run == m_history.runs().end()) return;
     QString error;
-    const uint64_t end = std::min(run->end, run->begin + kMostStepsBeside);
+    const uint64_t end = std::min(run->end, run->begin + RunBeside::kMostSteps);
     const std::optional<Past> past = m_simulation->past(&error, run->begin, end);
     if (!past) return void(report(error));
-    std::vector<Sample> samples;
-    uint64_t step = 0;
-    const uint64_t stride = past->recording->length() / kIntervalsBeside + 1;
-    inspector::replay(past->recording, [&](const Engine &engine) {
-        if (step++ % stride == 0) samples.push_back(engine.sample());
-        return engine.state().time < run->time; // the fall would squeeze all other values
-    });
-    m_history.layBeside({{*run, std::make_shared<const std::vector<Sample>>(std::move(samples))}});
+    m_history.beside().lay(*run, *past);
 }
 
 std::shared_ptr<const std::vector<Sample>> Session::samplesBeside() const {
-    const std::optional<RunHistory::Beside> &beside = m_history.beside();
-    return beside && beside->run.level.path == level().path ? beside->samples : m_history.oldFuture();
+    const std::optional<KeptRun> &run = m_history.beside().run();
+    return run && run->level.path == level().path ? m_history.beside().samples() : m_history.oldFuture();
 }
 
 std::optional<MazeSource> Session::changedMaze() {

@@ -78,6 +78,13 @@ QString parametersOf(const KeptRun &run, const Registry &registry) {
     return texts.isEmpty() ? RunDock::tr("initial") : texts.join(QStringLiteral("; "));
 }
 
+/// A long run is repeated for a while before it is seen beside the others.
+QString withProgress(const QString &result, const RunBeside &beside, const KeptRun &run) {
+    const std::optional<double> share = beside.progress();
+    if (!share || beside.run()->begin != run.begin) return result;
+    return RunDock::tr("%1; repeated to %2 %").arg(result).arg(int(100.0 * *share));
+}
+
 QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
     QStringList steppers;
     QStringList steps;
@@ -85,8 +92,12 @@ QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
         steppers += stepperName(session.registry(), stepper);
         steps += durationText(dt);
     }
-    return {mazeTitle(session, run), listed(steppers),      listed(steps),
-            clockText(run.time),     resultOf(run, isLive), parametersOf(run, session.registry())};
+    return {mazeTitle(session, run),
+            listed(steppers),
+            listed(steps),
+            clockText(run.time),
+            withProgress(resultOf(run, isLive), session.history().beside(), run),
+            parametersOf(run, session.registry())};
 }
 
 /// In bold; a screen reader says it.
@@ -139,7 +150,8 @@ void RunDock::refresh() {
             if (item->text(column) != texts[column]) item->setText(column, texts[column]);
         const bool isShown = !m_session.isReplaying() && run.begin < shown.end && shown.begin < run.end;
         markShown(*item, isShown);
-        const bool isBeside = m_session.history().beside() && m_session.history().beside()->run.begin == run.begin;
+        const std::optional<KeptRun> &beside = m_session.history().beside().run();
+        const bool isBeside = beside && beside->begin == run.begin;
         item->setCheckState(0, isBeside ? Qt::Checked : Qt::Unchecked);
         item->setData(0, kEndRole, qulonglong(run.end));
         item->setData(0, kBeginRole, qulonglong(run.begin));

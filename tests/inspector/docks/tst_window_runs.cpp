@@ -220,10 +220,9 @@ void TestWindowRuns::tickedRunIsShownBesideTheOthers() {
     m_fixture->window().refresh();
     tick(1);
     const auto *plot = m_fixture->find<inspector::ui::PlotStack>("plots");
-    QVERIFY(m_fixture->session().history().beside());
-    const auto samples = m_fixture->session().samplesBeside();
-    QCOMPARE(samples->size(), size_t(40));
-    QCOMPARE(samples->back().time, 0.4);
+    QVERIFY(m_fixture->session().history().beside().run());
+    QTRY_COMPARE(m_fixture->session().samplesBeside()->size(), size_t(40));
+    QCOMPARE(m_fixture->session().samplesBeside()->back().time, 0.4);
     const inspector::gl::Frame frame = inspector::ui::currentFrame(m_fixture->session());
     QCOMPARE(frame.ghosts.size(), size_t(1)); // where the ball is, too: all else was the same
     QVERIFY(glm::distance(frame.ghosts[0].ball.position, frame.ball.position) < 1e-12);
@@ -233,7 +232,7 @@ void TestWindowRuns::tickedRunIsShownBesideTheOthers() {
     QCOMPARE(first.graph(first.graphCount() - 1)->dataCount(), 40);
     m_fixture->trigger("show_runs_dock");
     tick(1);
-    QVERIFY(!m_fixture->session().history().beside() && m_fixture->session().samplesBeside()->empty());
+    QVERIFY(!m_fixture->session().history().beside().run() && m_fixture->session().samplesBeside()->empty());
 }
 
 void TestWindowRuns::runIsTickedInItsMenuByKeys() {
@@ -256,6 +255,7 @@ void TestWindowRuns::runBesideIsNamedInTheLegend() {
     QCPLegend *legend = m_fixture->find<inspector::ui::PlotStack>("plots")->first().legend;
     const int before = legend->itemCount();
     tick(0);
+    QTRY_VERIFY(!m_fixture->session().samplesBeside()->empty());
     m_fixture->trigger("show_plot_dock"); // in front of the runs
     m_fixture->window().refresh();
     QCOMPARE(legend->itemCount(), before + 1);
@@ -270,7 +270,7 @@ void TestWindowRuns::runBesideIsNamedInTheLegend() {
 
 void TestWindowRuns::runBesideIsOfItsMaze() {
     tick(0);
-    QVERIFY(!m_fixture->session().samplesBeside()->empty());
+    QTRY_VERIFY(!m_fixture->session().samplesBeside()->empty());
     QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().listed()[1]));
     QVERIFY(m_fixture->session().samplesBeside()->empty());
     QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().listed()[0]));
