@@ -41,6 +41,8 @@ public:
     /// The motion if gravity or speed is off by the share `disturbance`, or the start by `shift` metres, in one of
     /// kWays; empty if the brute force fails. Computed once, as steppers of one order ask for the same.
     const std::vector<Motion> &disturbed(Real disturbance, Real shift, int way) const;
+    /// The motion if one box is smaller by what counts as nothing. Computed once.
+    const std::vector<Motion> &withSmaller(size_t box) const;
     /// The uncertainty of the brute force itself.
     Real ownError() const { return m_ownError; }
     Real fastest() const { return m_fastest; }
@@ -49,12 +51,15 @@ private:
     explicit Truth(const Case &scene)
         : m_scene(scene) {}
     std::vector<Motion> run(const Law &law, Motion motion, Real tolerance) const;
+    std::vector<Motion> run(const std::vector<phys_box> &boxes, const Law &law, Motion motion, Real tolerance) const;
     std::vector<Motion> disturb(Real disturbance, Real shift, int way) const;
 
     Case m_scene;
     mutable std::shared_ptr<Truth> m_refined;
     using Disturbed = std::map<std::tuple<Real, Real, int>, std::vector<Motion>>;
-    std::shared_ptr<Disturbed> m_disturbed = std::make_shared<Disturbed>(); ///< shared with the refined one
+    using WithSmaller = std::map<size_t, std::vector<Motion>>;
+    std::shared_ptr<Disturbed> m_disturbed = std::make_shared<Disturbed>();       ///< shared with the refined one
+    std::shared_ptr<WithSmaller> m_withSmaller = std::make_shared<WithSmaller>(); ///< likewise
     std::vector<Motion> m_motions; ///< at the checkpoints, each a quarter of the time
     bool m_hasEvents = false;
     Real m_ownError = 0;
