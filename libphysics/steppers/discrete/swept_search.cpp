@@ -67,7 +67,7 @@ std::optional<double> SweptStep::firstTouchOfParabola(double end, const Ball &la
         const Vec3 beside = glm::max(Vec3(0.0), glm::max(low - toVec(box.max), toVec(box.min) - high));
         if (holds(number) || glm::dot(beside, beside) >= apart * apart) return;
         // A box lies behind the plane of its nearest point; this bounds the gap's second derivative from below.
-        const auto look = [&](double t) {
+        const auto look = [&](double t, double) {
             ++m_effort;
             const Nearest close = nearest(box, start + t * m_ball.velocity + 0.5 * t * t * acceleration);
             return Look{close.distance - radius, glm::dot(close.normal, m_ball.velocity + t * acceleration),

@@ -241,7 +241,7 @@ private:
 /// First time in [from, until] at which the ball touches a target and moves towards it, in any phase.
 template<class Phase>
 double anyTouchTime(const Target &target, const Outlook &around, const Phase &phase, double from, double until) {
-    const auto look = [&](double t) { return gapAt(target, phase, around, t, until); };
+    const auto look = [&](double t, double end) { return gapAt(target, phase, around, t, end); };
     if (target.isTouched && from == 0.0) from = openingTime(target, phase, around, until);
     return firstZero(look, from, until, 0.25 * around.scene.tolerance);
 }
@@ -363,13 +363,13 @@ double borderTime(const Outlook &around, const Phase &phase, const Border &borde
     Vec3 n(0.0);
     n[axis] = border.inward;
     const double negligible = negligibleSpeed(around.motion, around.scene.radius);
-    const auto depth = [&](double t) {
+    const auto depth = [&](double t, double end) {
         around.work.add(phase.lookWork());
         const Way now = phase.at(t);
         const double rate = border.inward * now.velocity[axis], deep = start + border.inward * now.way[axis];
         // A contact of a ball that creeps over the border would be found on the same side again, model.md 13.1.
         const bool creeps = rate >= -negligible && std::abs(deep) <= around.scene.tolerance;
-        return Look{creeps ? around.scene.tolerance : deep, rate, phase.least(n, rate, t, until)};
+        return Look{creeps ? around.scene.tolerance : deep, rate, phase.least(n, rate, t, end)};
     };
     return firstZero(depth, from, until, 0.25 * around.scene.tolerance);
 }
@@ -421,15 +421,15 @@ void cutAtLevelFloor(const Outlook &around, const Phase &phase, double until, do
     const auto find = [&](const phys_box &box, uint32_t, double begin, double end) {
         if (!isLevel(box, around.position)) return kNever;
         around.work.add(Work::kSearch);
-        const auto look = [&](double t) {
+        const auto look = [&](double t, double bounded) {
             around.work.add(phase.lookWork());
             const Way now = phase.at(t);
             Vec3 away;
             const double distance = distanceFromAbove(box, around.position + now.way, away);
             const double rate = glm::dot(away, now.velocity);
-            return Look{distance, rate, phase.least(away, rate, t, end)};
+            return Look{distance, rate, phase.least(away, rate, t, bounded)};
         };
-        const Look start = look(begin);
+        const Look start = look(begin, end);
         const bool isOver = start.value < -tolerance || (start.value <= tolerance && start.rate <= 0.0);
         if (isOver) return kNever; // a falling distance to the nearest side is no arrival there
         const double t = firstZero(look, begin, end, 0.25 * tolerance);

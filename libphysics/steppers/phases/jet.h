@@ -115,7 +115,7 @@ inline double firstFall(const Jet &g, double end, Work &work) {
     if (g[0] > others) return kNever;
     for (int k = kOrder; k >= 2; --k) bend = bend * end + double(k * (k - 1)) * std::abs(g[k]);
     const double zero = 4.0 * 0x1p-52 * (std::abs(g[0]) + others);
-    const auto look = [&](double s) {
+    const auto look = [&](double s, double) {
         work.add(Work::kJet);
         return Look{g.at(s), g.rateAt(s), -bend};
     };

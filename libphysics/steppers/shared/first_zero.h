@@ -17,6 +17,8 @@ struct Look {
 
 /// A search that takes more evaluations is at a zero that it can't distinguish from rounding.
 inline constexpr int kMostLooks = 2000;
+/// After these, bounds are asked for shorter times, for which they are sharper.
+inline constexpr int kFewLooks = 128;
 
 inline double fewDigits(double t) { return static_cast<double>(static_cast<float>(t)); }
 
@@ -26,7 +28,7 @@ template<class Function>
 double settled(const Function &look, double t, double until) {
     double s = fewDigits(t);
     for (int i = 0; i < 2; ++i) {
-        const Look now = look(s);
+        const Look now = look(s, until);
         if (!(now.rate < 0.0)) return t;
         s -= now.value / now.rate;
     }
@@ -39,7 +41,7 @@ template<class Function>
 double refined(const Function &look, double t, double step, double until, double zero) {
     constexpr int kMost = 24;
     for (int i = 0; i < kMost && step > 0x1p-20 * t && t + step < until; ++i) {
-        const Look now = look(t + step);
+        const Look now = look(t + step, until);
         if (!(now.value <= zero && now.rate < 0.0)) break;
         t += step;
         step = firstFall(std::max(0.0, now.value), now.rate, now.least);
@@ -47,15 +49,27 @@ double refined(const Function &look, double t, double step, double until, double
     return t;
 }
 
-/// First time in [from, until] at which f falls through zero; kNever if there is none. look(t) returns a Look. A value
-/// of at most `zero` that falls counts as a zero. Steps are as long as the bound allows; near a zero they become
-/// Newton's.
+/// A longer step from t on, if the bounds for shorter times allow it.
+template<class Function>
+double lengthened(const Function &look, double t, double step, double until) {
+    for (double time = 4.0 * step; t + time < until; time *= 4.0) {
+        const Look now = look(t, t + time);
+        const double longer = firstFall(std::max(0.0, now.value), now.rate, now.least);
+        step = std::max(step, std::min(longer, time));
+        if (longer < time) break;
+    }
+    return step;
+}
+
+/// First time in [from, until] at which f falls through zero; kNever if there is none. look(t, end) returns a Look
+/// whose bound holds until then. A value of at most `zero` that falls counts as a zero. Steps are as long as the bound
+/// allows; near a zero they become Newton's.
 template<class Function>
 double firstZero(const Function &look, double from, double until, double zero) {
     double t = from, least = 0x1p-44 * (until - from); // smallest step, for a zero value without rate
     bool isPolished = false;
     for (int i = 0; i < kMostLooks; ++i) {
-        const Look now = look(t);
+        const Look now = look(t, until);
         const double step = firstFall(std::max(0.0, now.value), now.rate, now.least);
         if (now.value <= zero && now.rate < 0.0) {
             if (isPolished || t + step == t) return settled(look, refined(look, t, step, until, zero), until);
@@ -68,7 +82,7 @@ double firstZero(const Function &look, double from, double until, double zero) {
             t = std::min(until, t + least);
             least *= 2.0;
         } else {
-            t += step;
+            t += i < kFewLooks ? step : lengthened(look, t, step, until);
         }
     }
     return t;
