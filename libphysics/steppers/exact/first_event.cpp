@@ -97,6 +97,12 @@ Some stillHeld(const Way &now, const Touching &touching, const Response &respons
     return some;
 }
 
+uint32_t countPressing(const Response &response, double noForce) {
+    const std::span<const Reaction> list = response.list();
+    return static_cast<uint32_t>(
+        std::count_if(list.begin(), list.end(), [&](const Reaction &reaction) { return reaction.pressure > noForce; }));
+}
+
 /// Whether the same contacts press, which then do so with the same forces.
 bool pressAlike(const Some &some, std::span<const double> pressures, const Response &chosen, double noForce) {
     for (uint32_t i = 0; i < some.count; ++i) {
@@ -106,8 +112,10 @@ bool pressAlike(const Some &some, std::span<const double> pressures, const Respo
     return true;
 }
 
-/// How much larger the sum of N is at a moment of the phase than that of the law's choice then, beyond rounding.
-double excess(const Series &phase, double t, const Touching &touching, const Response &response, MovingBall &ball) {
+/// How much larger the sum of N is at a moment of the phase than that of the law's choice then, beyond rounding. most:
+/// contacts with pressure of a choice that counts.
+double excess(const Series &phase, double t, uint32_t most, const Touching &touching, const Response &response,
+              MovingBall &ball) {
     constexpr double kSame = 4e-9, kDirection = 16.0 * 0x1p-52;
     ball.work.add(phase.lookWork());
     const Way now = phase.at(t);
@@ -116,7 +124,8 @@ double excess(const Series &phase, double t, const Touching &touching, const Res
     const Response chosen = respond(moment, {some.held.data(), some.count}, ball.work);
     if (!chosen.isFound || !onlySlips(chosen)) return 0.0;
     const std::array<double, kMostHeld> pressures = phase.pressures(t);
-    if (pressAlike(some, pressures, chosen, kFits * accelerationScale(moment))) return 0.0;
+    const double noForce = kFits * accelerationScale(moment);
+    if (countPressing(chosen, noForce) > most || pressAlike(some, pressures, chosen, noForce)) return 0.0;
     const double present = std::accumulate(pressures.begin(), pressures.end(), 0.0);
     double more = present - kSame * (present + accelerationScale(moment));
     for (const Reaction &reaction : chosen.list()) {
@@ -134,9 +143,12 @@ void cutAtChoice(const P &, const Touching &, const Response &, MovingBall &, En
 void cutAtChoice(const Series &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
     if (touching.count() < 3 || !onlySlips(response) || areUncoupled(touching.held())) return;
     Exchange exchange;
-    if (phase.sharesLoad() || findExchange(ball.motion, touching, response, ball, exchange)) return;
-    const double before = std::max(0.0, excess(phase, 0.0, touching, response, ball));
-    const auto isMore = [&](double t) { return excess(phase, t, touching, response, ball) > 2.0 * before; };
+    if (phase.sharesLoad()) return;
+    // As many as now are those to which the load may pass, cutAtExchange; fewer let the ball go.
+    const bool passes = findExchange(ball.motion, touching, response, ball, exchange);
+    const uint32_t most = passes ? exchange.count - 2 : kMostHeld;
+    const double before = std::max(0.0, excess(phase, 0.0, most, touching, response, ball));
+    const auto isMore = [&](double t) { return excess(phase, t, most, touching, response, ball) > 2.0 * before; };
     cutWhen(isMore, std::min(end.after, ball.left), end);
 }
 
