@@ -25,9 +25,10 @@ struct JetOf {
     const T &operator[](int k) const { return c[static_cast<size_t>(k)]; }
     T &operator[](int k) { return c[static_cast<size_t>(k)]; }
 
-    T at(double s) const {
-        T sum = c[kOrder];
-        for (int k = kOrder - 1; k >= 0; --k) sum = sum * s + c[static_cast<size_t>(k)];
+    /// last: order of the last term that isn't zero.
+    T at(double s, int last = kOrder) const {
+        T sum = c[static_cast<size_t>(last)];
+        for (int k = last - 1; k >= 0; --k) sum = sum * s + c[static_cast<size_t>(k)];
         return sum;
     }
     T rateAt(double s) const {
@@ -57,8 +58,9 @@ inline double dotTerm(const VecJet &a, const VecJet &b, int k) {
     for (int j = 0; j <= k; ++j) sum += glm::dot(a[j], b[k - j]);
     return sum;
 }
-inline Vec3 termOf(const Jet &a, const VecJet &b, int k) {
-    Vec3 sum(0.0);
+template<class V>
+V termOf(const Jet &a, const JetOf<V> &b, int k) {
+    V sum(0.0);
     for (int j = 0; j <= k; ++j) sum += a[j] * b[k - j];
     return sum;
 }

@@ -12,7 +12,7 @@ struct Truncation {
     int order;
     double until; ///< units
 };
-constexpr std::array kShort{Truncation{12, 0.05}, Truncation{16, 0.12}};
+constexpr std::array kShort{Truncation{9, 0.02}, Truncation{12, 0.05}, Truncation{16, 0.12}};
 
 } // namespace
 
@@ -47,17 +47,17 @@ void Pendulum::expand(double share, double wanted) {
     m_against = m_resistance / drive();
     const auto fits = std::find_if(kShort.begin(), kShort.end(),
                                    [&](const Truncation &each) { return wanted <= each.until * m_reach.unit; });
-    const int last = fits == kShort.end() ? kOrder : fits->order;
+    m_last = fits == kShort.end() ? kOrder : fits->order;
     m_turned.c.fill(Vec2(0.0));
     m_rate.c.fill(0.0);
+    m_turned[0] = m_start;
     m_rate[0] = glm::dot(quarterTurn(m_start), across(m_moment.velocity)) * m_reach.unit / R;
-    for (int k = 0; k < last; ++k) {
-        Vec2 sum = m_rate[k] * m_start;
-        for (int j = 1; j <= k; ++j) sum += m_rate[k - j] * m_turned[j];
-        m_turned[k + 1] = quarterTurn(sum) / (k + 1.0);
-        m_rate[k + 1] = glm::dot(m_pull, quarterTurn(k == 0 ? m_start : m_turned[k])) / (k + 1.0);
+    for (int k = 0; k < m_last; ++k) {
+        m_turned[k + 1] = quarterTurn(termOf(m_rate, m_turned, k)) / (k + 1.0);
+        m_rate[k + 1] = glm::dot(m_pull, quarterTurn(m_turned[k])) / (k + 1.0);
         if (k == 0) m_rate[1] -= m_against;
     }
+    m_turned[0] = Vec2(0.0);
     if (fits != kShort.end()) {
         m_reach.length = fits->until;
         return;
@@ -78,9 +78,9 @@ Vec3 Pendulum::inSpace(const Vec2 &v, double along) const {
 
 Way Pendulum::at(double t) const {
     const double s = t / m_reach.unit, R = m_moment.radius, speed = m_moment.velocity[m_edge.axis];
-    const Vec2 way = m_turned.at(s);
+    const Vec2 way = m_turned.at(s, m_last);
     return {inSpace(R * way, t * (speed + 0.5 * m_acceleration * t)),
-            inSpace(R / m_reach.unit * m_rate.at(s) * quarterTurn(m_start + way), speed + m_acceleration * t)};
+            inSpace(R / m_reach.unit * m_rate.at(s, m_last) * quarterTurn(m_start + way), speed + m_acceleration * t)};
 }
 
 Place Pendulum::placeAt(double t) const {
@@ -94,9 +94,9 @@ Place Pendulum::placeAt(double t) const {
 /// The acceleration changes by at most three times the strength times w, and w is largest at one of the ends: the ball
 /// is slowest where it turns round or passes the top.
 double Pendulum::least(const Vec3 &n, double, double t, double until) const {
-    const double s = t / m_reach.unit, rate = m_rate.at(s);
-    const double fastest = std::max(std::abs(rate), std::abs(m_rate.at(until / m_reach.unit)));
-    const Vec2 normal = m_start + m_turned.at(s), tangent = quarterTurn(normal), along = across(n);
+    const double s = t / m_reach.unit, rate = m_rate.at(s, m_last);
+    const double fastest = std::max(std::abs(rate), std::abs(m_rate.at(until / m_reach.unit, m_last)));
+    const Vec2 normal = m_start + m_turned.at(s, m_last), tangent = quarterTurn(normal), along = across(n);
     const Vec2 acceleration = m_strength * ((glm::dot(m_pull, tangent) - m_against) * tangent - rate * rate * normal);
     return glm::dot(along, acceleration) + n[m_edge.axis] * m_acceleration -
            3.0 * m_strength * glm::length(along) * fastest * (until - t) / m_reach.unit;
@@ -105,10 +105,12 @@ double Pendulum::least(const Vec3 &n, double, double t, double until) const {
 /// By the conservation of energy the pressure changes by -3 g.(n - n0), and twice the work of resistance per radius.
 End Pendulum::end(double until, Work &work) const {
     const double s = std::min(until / m_reach.unit, m_reach.length);
-    Jet pressure;
+    Jet pressure{};
     pressure[0] = m_edge.pressure;
-    for (int k = 1; k <= kOrder; ++k)
-        pressure[k] = drive() * (2.0 * m_against * m_rate[k - 1] / k - 3.0 * glm::dot(m_pull, m_turned[k]));
+    for (int k = 1; k <= m_last; ++k) pressure[k] = -3.0 * drive() * glm::dot(m_pull, m_turned[k]);
+    if (m_resistance != 0.0) {
+        for (int k = 1; k <= m_last; ++k) pressure[k] += 2.0 * m_resistance * m_rate[k - 1] / k;
+    }
     End end{horizon(), Cause::time, 0};
     end.cut({m_reach.unit * firstFall(pressure, s, work), Cause::release, m_edge.contact});
     if (m_resistance == 0.0) return end;

@@ -53,6 +53,7 @@ private:
     Vec2 m_start;                ///< the normal at the start
     JetOf<Vec2> m_turned;        ///< the normal minus that
     Jet m_rate;                  ///< at which it turns, per unit
+    int m_last;                  ///< order of the last terms
     Reach m_reach;
 
     void expand(double share, double wanted);
