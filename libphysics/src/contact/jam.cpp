@@ -4,6 +4,7 @@
 #include "contact/mirror.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace phys {
 
@@ -17,10 +18,11 @@ struct Jam {
     Combination c;
     const Moment &before;
     Moment after;
-    double zero; ///< m/s
+    double zero;        ///< m/s
+    Vec3 resisted{0.0}; ///< what rolling resistance adds to the spin, rad/s
 
     Vec3 slipBefore(uint32_t i) const {
-        return before.velocity - before.radius * glm::cross(before.spin, c.held[i].normal);
+        return before.velocity - before.radius * glm::cross(before.spin + resisted, c.held[i].normal);
     }
     Vec3 slipAfter(uint32_t i) const { return slipAt(after, c.held[i].normal); }
 };
@@ -33,6 +35,7 @@ void push(Jam &jam) {
     });
     const dense::Values x = equations.solve();
     jam.after = jam.before;
+    jam.after.spin += jam.resisted;
     for (uint32_t i = 0; i < c.count(); ++i) {
         const Vec3 impulse = c.force(i, x);
         c.reactions[i].force = impulse;
@@ -67,18 +70,52 @@ bool settle(Jam &jam) {
     return false;
 }
 
-bool fits(const Jam &jam) {
+/// Whether no contact pulls, and the ball moves into none.
+bool closes(const Jam &jam) {
     for (uint32_t i = 0; i < jam.c.count(); ++i) {
         const Reaction &reaction = jam.c.reactions[i];
-        const double N = reaction.pressure, apart = glm::dot(jam.c.held[i].normal, jam.after.velocity);
+        const double apart = glm::dot(jam.c.held[i].normal, jam.after.velocity);
         if (std::abs(apart) > jam.zero && (reaction.mode != Mode::open || apart < 0.0)) return false;
-        if (N < -jam.zero) return false;
+        if (reaction.pressure < -jam.zero) return false;
+    }
+    return true;
+}
+
+bool fits(const Jam &jam) {
+    if (!closes(jam)) return false;
+    for (uint32_t i = 0; i < jam.c.count(); ++i) {
+        const Reaction &reaction = jam.c.reactions[i];
         if (reaction.mode != Mode::sticking || jam.c.held[i].isGlued) continue;
         if (glm::length(jam.slipAfter(i)) > jam.zero) return false;
         const Vec3 friction = tangential(reaction.force, jam.c.held[i].normal);
-        if (glm::length(friction) > jam.c.held[i].friction * N + jam.zero) return false;
+        if (glm::length(friction) > jam.c.held[i].friction * reaction.pressure + jam.zero) return false;
     }
     return true;
+}
+
+/// What resistance at sticking contacts adds to the spin for the present impulses: it stops the rolling, if it can.
+Vec3 resistanceIn(const Jam &jam) {
+    Vec3 sum(0.0);
+    for (uint32_t i = 0; i < jam.c.count(); ++i) {
+        const Held &held = jam.c.held[i];
+        if (!jam.c.sticks(i) || held.isGlued || held.resistance == 0.0) continue;
+        const double most = resistancePerPressure(jam.before, held) * jam.c.reactions[i].pressure;
+        const Vec3 stops = tangential(jam.resisted, held.normal) - kSlipPerFriction * rollingSpin(jam.after, held);
+        sum += glm::length(stops) > most ? most * hat(stops) : stops;
+    }
+    return sum;
+}
+
+/// The same modes with rolling resistance, in proportion to the impulses. False if it doesn't settle, or changes which
+/// modes fit.
+bool resist(Jam &jam) {
+    const double rounding = 4.0 * 0x1p-52 * speedScale(jam.before);
+    for (int pass = 0; pass < kMostJamPasses && !jam.c.work.isTooMuch(); ++pass) {
+        const Vec3 before = std::exchange(jam.resisted, resistanceIn(jam));
+        if (jam.before.radius * glm::length(jam.resisted - before) <= rounding) return closes(jam);
+        if (!settle(jam)) return false;
+    }
+    return false;
 }
 
 /// The number-th mode of contact i; false beyond the last one.
@@ -139,8 +176,10 @@ public:
                 sumOfPressures(m_jam.c.list()) < least - kMostMore * speedScale(m_before)) {
                 least = sumOfPressures(m_jam.c.list());
                 best = m_jam.after;
+                if (resist(m_jam)) best = m_jam.after;
             }
             m_jam.c.reactions = begun;
+            m_jam.resisted = Vec3(0.0);
         } while (nextModes(m_jam, numbers) && !m_jam.c.work.isTooMuch());
         return least < INFINITY;
     }
