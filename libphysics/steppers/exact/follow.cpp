@@ -111,7 +111,7 @@ void keepEdges(const Touching &touching, const Response &response, MovingBall &b
 
 /// Puts the ball on the border that it has reached, and on another one that it has reached at the same time. A search
 /// that took too many looks ends before it: then the next phase goes on from there.
-void keepBorders(const Border &border, MovingBall &ball) {
+void putOnBorders(const Border &border, MovingBall &ball) {
     constexpr double kReached = 64.0; // tolerances
     const double tolerance = ball.scene().tolerance;
     if (std::abs(ball.position[border.axis] - border.coordinate) > kReached * tolerance) return;
@@ -277,7 +277,7 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
         clearSlips(end, sticking, rounding, touching, response, ball);
         rollOnTops(sticking, rounding, touching, response, ball);
     }
-    if (end.cause == Cause::border) keepBorders(event.border, ball);
+    if (end.cause == Cause::border) putOnBorders(event.border, ball);
 }
 
 } // namespace
