@@ -23,7 +23,8 @@
  *  - A function that can fail returns a phys_status: PHYS_OK or a negative code. On failure every output is untouched,
  *    but for the contents of an event buffer.
  *  - `err` may be NULL. On failure it receives one line: what is wrong, which value, what is allowed. On success it is
- *    untouched.
+ *    untouched. The *_init functions and some others have no `err`: their status and the ranges stated with them
+ * suffice.
  *  - Pointers must not be NULL unless the text says "or NULL". A NULL is reported as PHYS_ERROR_ARGUMENT.
  *  - Structs marked frozen never change. Appendable structs start with their size, get new members only at their end,
  *    and are filled by their *_init function. If an older program passes a shorter struct, the missing members have
@@ -229,12 +230,14 @@ enum {
 /** Complete state of the ball: frozen, 128 bytes without padding, so that memcpy, memcmp and hashing work. All numbers
  *  are within +-2^100. */
 typedef struct phys_state {
-    double time;           /**< s since the start */
+    double time;           /**< s since the start. While it equals step * dt but for rounding, phys_step makes it
+                                (step + 1) * dt; otherwise it adds dt (model.md 10.6) */
     uint64_t step;         /**< steps since the start, modulo 2^64; phys_step adds one (none for dt = 0) */
     phys_vec3 position;    /**< of the centre, m */
     phys_vec3 velocity;    /**< m/s */
     phys_vec3 spin;        /**< angular velocity, rad/s; rolling model on the floor: follows from the velocity */
-    double orientation[4]; /**< unit quaternion x y z w, for drawing: the motion doesn't depend on it */
+    double orientation[4]; /**< unit quaternion x y z w (its square is 1 but for at most 1e-6), for drawing: the motion
+                                doesn't depend on it */
     uint64_t flags;        /**< PHYS_AT_REST | ... */
 } phys_state;
 
@@ -290,7 +293,8 @@ enum {
     PHYS_ROW_SWITCH = 8  /**< 0 or 1, stored as double */
 };
 
-/** Description of one parameter: frozen. Texts are static, English, one line of UTF-8, never NULL. */
+/** Description of one parameter: frozen. Texts are static, English, one line of UTF-8, never NULL. Functions take rows
+ *  as the library gives them, or copies. */
 typedef struct phys_param_row {
     const char *id;      /**< never changes; for settings, options and columns: rolling_friction */
     const char *label;   /**< for people: Rolling friction */
@@ -315,8 +319,8 @@ PHYS_API const phys_param_row *phys_param_rows(uint32_t *count);
  *  Since 1.0. */
 PHYS_API double phys_param_get(const phys_params *params, const phys_param_row *row);
 
-/** Writes a row's value. Errors: ARGUMENT (also if params is too short to have it), RANGE. Any thread.
- *  Since 1.0. */
+/** Writes a row's value. Errors: ARGUMENT (also if params is too short to have it, or if the row's offset isn't that of
+ *  a value), RANGE. Any thread. Since 1.0. */
 PHYS_API phys_status phys_param_set(phys_params *params, const phys_param_row *row, double value, phys_error *err);
 
 /** Whether a step would accept these parameters: sizes, ranges, relations between them. Errors: ARGUMENT, RANGE.
@@ -338,7 +342,7 @@ enum {
 /** An event during a step: frozen. */
 typedef struct phys_event {
     double time;         /**< s since the start, as state.time */
-    phys_vec3 point;     /**< of contact, m (the centre for events without one) */
+    phys_vec3 point;     /**< of contact, m (the centre for events without one: takeoff, stop, roll) */
     phys_vec3 normal;    /**< unit, from the box to the ball (zero for events without one) */
     double speed_before; /**< impacts, landings: along the normal, < 0 (towards the box); others: |velocity|. m/s */
     double speed_after;  /**< impacts, landings: along the normal, >= 0; others: |velocity|. m/s */
@@ -427,8 +431,9 @@ typedef void (*phys_scan_function)(void *context, const char *path, phys_status 
 
 /** Loads every *.so (Windows: *.dll) of a folder in order of name. Paths are UTF-8. folder NULL: the folders of
  *  PHYS_PLUGIN_PATH (separated by ':', on Windows by ';'), then `physics-1` beside the library. A refused file doesn't
- *  end the scan; `report` (or NULL) is called for each file. registry NULL: loads nothing and calls `report` with
- *  PHYS_OK and an empty text for each name that would be tried, whatever it is. So a host can first try each in a
+ *  end the scan; `report` (or NULL) is called for each file, and with PHYS_ERROR_FILE for what is no folder in
+ *  PHYS_PLUGIN_PATH. registry NULL: loads nothing and calls `report` with PHYS_OK and an empty text for each name that
+ *  would be tried, whatever it is. So a host can first try each in a
  *  process of its own, because a damaged file may end the process that loads it. Not while another thread uses the
  *  registry. Errors: FILE (the folder doesn't exist), MEMORY. Since 1.0. */
 PHYS_API phys_status phys_registry_scan(phys_registry *registry, const char *folder, phys_scan_function report,
@@ -446,7 +451,7 @@ PHYS_API phys_status phys_registry_find(const phys_registry *registry, const cha
                                         phys_error *err);
 
 /** Sets the stepper's own values in params to their rows' initial ones and all other own values to 0. Any thread.
- *  Errors: ARGUMENT, RANGE. Since 1.0. */
+ *  Errors: ARGUMENT (also for rows that no stepper can have), RANGE. Since 1.0. */
 PHYS_API phys_status phys_stepper_info_init_params(const phys_stepper_info *info, phys_params *params);
 
 /** Computes steps in one scene. Opaque. No result depends on earlier steps. */
@@ -475,7 +480,7 @@ typedef struct phys_batch {
     uint32_t struct_size;       /**< sizeof(phys_batch), set by phys_batch_init */
     uint32_t stop_flags;        /**< a ball is done once its state has one of these flags, such as PHYS_OUT; 0: never */
     uint64_t ball_count;        /**< balls in the arrays below */
-    uint64_t step_count;        /**< greatest number of steps of each ball */
+    uint64_t step_count;        /**< greatest number of steps of each ball, 0 .. 2^53 */
     double dt;                  /**< of each step, s, 0 .. 2^100 */
     const phys_params *params;  /**< of each ball */
     size_t params_stride;       /**< from ball to ball */
@@ -500,11 +505,11 @@ PHYS_API phys_status phys_batch_init(phys_batch *batch, size_t size);
  *  fails keeps its last good state and its status, the others go on. The rest of its path, as of that of a ball that is
  *  done, repeats its last state. impacts and energy_lost are the sums of what the reports of phys_step would say:
  *  events PHYS_EVENT_IMPACT, not landings (of a step with more than 64 events, all after the 64th count as impacts).
- *  Without them steps are faster. Allocates nothing. One thread at a time per stepper; threads, each with a stepper of
- *  its own, may run disjoint ranges of one batch. Errors: ARGUMENT, RANGE (of parameters that all balls share), with
- *  outputs untouched; if statuses is NULL, the error of the first ball that fails, after all have run: its number and
- *  step, and what phys_step says of that step.
- *  Since 1.1. */
+ *  Without them steps are faster. Steps of dt = 0 are skipped, as are those of a built-in stepper that leave a ball at
+ *  rest (while the time isn't step * dt, each still takes an addition). Allocates nothing. One thread at a time per
+ * stepper; threads, each with a stepper of its own, may run disjoint ranges of one batch. Errors: ARGUMENT, RANGE (of
+ * parameters that all balls share), with outputs untouched; if statuses is NULL, the error of the first ball that
+ * fails, after all have run: its number and step, and what phys_step says of that step. Since 1.1. */
 PHYS_API phys_status phys_batch_run(phys_stepper *stepper, const phys_batch *batch, uint64_t first, uint64_t count,
                                     phys_error *err);
 
@@ -523,7 +528,7 @@ PHYS_API phys_status phys_batch_run(phys_stepper *stepper, const phys_batch *bat
 enum { PHYS_STAGE_LIST(PHYS_STAGE_ENUMERATOR) PHYS_STAGE_COUNT = 6 };
 #undef PHYS_STAGE_ENUMERATOR
 
-/** The stages that the next step runs, and why: frozen. */
+/** The stages that the next step runs, and why: frozen. For dt = 0 none, and no substeps. */
 typedef struct phys_requirements {
     uint32_t stages;                     /**< PHYS_STAGE_* bits of the stages that run */
     uint32_t substeps;                   /**< of the size that the step begins with; they end early if the ball

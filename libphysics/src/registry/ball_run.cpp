@@ -4,6 +4,7 @@
 #include "base/appendable.h"
 #include "base/error.h"
 #include "registry/arguments.h"
+#include "registry/clock.h"
 #include "registry/params.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ phys_status BallRun::check(bool paramsAreChecked) const {
 }
 
 /// Adds the figures of a report to the ball's tally.
-phys_status BallRun::stepAndTally(phys_state &next) const {
+phys_status BallRun::stepAndTally(phys_state &next) {
     phys_event events[64];
     phys_report report{};
     report.struct_size = sizeof report;
@@ -50,17 +51,16 @@ phys_status BallRun::stepAndTally(phys_state &next) const {
         return status;
     }
     const auto isImpact = [](const phys_event &event) { return event.kind == PHYS_EVENT_IMPACT; };
-    if (m_batch->impacts) {
-        m_batch->impacts[m_number] +=
-            report.events_lost + static_cast<uint64_t>(std::count_if(events, events + report.event_count, isImpact));
-    }
-    if (m_batch->energy_lost) {
-        m_batch->energy_lost[m_number] += report.lost_impact + report.lost_rolling + report.lost_slip;
-    }
+    const uint64_t impacts =
+        report.events_lost + static_cast<uint64_t>(std::count_if(events, events + report.event_count, isImpact));
+    const double lost = report.lost_impact + report.lost_rolling + report.lost_slip;
+    if (m_batch->impacts) m_batch->impacts[m_number] += impacts;
+    if (m_batch->energy_lost) m_batch->energy_lost[m_number] += lost;
+    m_tallyIsUnchanged = impacts == 0 && lost == 0.0;
     return PHYS_OK;
 }
 
-phys_status BallRun::tryStep(decltype(&makeStep) make, phys_state &next) const {
+phys_status BallRun::tryStep(decltype(&makeStep) make, phys_state &next) {
     if (m_gravity && !gravityIsValid(m_params)) return PHYS_ERROR_RANGE;
     if (const phys_status status = checkPull(*m_stepper->scene, m_params, state(), nullptr)) return status;
     if (wantsTally(*m_batch)) return stepAndTally(next);
@@ -84,14 +84,16 @@ uint64_t BallRun::advance(uint64_t step, decltype(&makeStep) make) {
     ++m_done;
     m_isRunning = !(state().flags & m_batch->stop_flags);
     if (!m_isRunning || !wasUnchanged()) return m_done;
-    const uint64_t more = stepsOfSameGravity(step);
+    const uint64_t more = std::min(stepsOfSameGravity(step), stepsWithinTime());
     advanceClock(m_batch->dt, more, state());
     return m_done + more;
 }
 
-/// Whether the last step left the ball as it was, as the same step will then do again. Plugins may have a memory.
+/// Whether the last step left the ball and its tally as they were, as the same step will then do again. Plugins may
+/// have a memory.
 bool BallRun::wasUnchanged() const {
-    return (state().flags & PHYS_AT_REST) && m_batch->dt > 0.0 && !m_stepper->isPlugin && !wantsTally(*m_batch) &&
+    if (m_batch->dt == 0.0) return true;
+    return (state().flags & PHYS_AT_REST) && !m_stepper->isPlugin && m_tallyIsUnchanged &&
            isSameBall(m_states[0], m_states[1]);
 }
 
@@ -102,6 +104,14 @@ uint64_t BallRun::stepsOfSameGravity(uint64_t step) const {
     uint64_t count = 0;
     while (count < most && areSame(gravity(step + 1 + count), m_params.gravity)) ++count;
     return count;
+}
+
+/// A number of further steps that don't lead beyond the greatest time, however it is rounded.
+uint64_t BallRun::stepsWithinTime() const {
+    constexpr double kGreatest = kLargestNumber * (1.0 - 16.0 * kRounding);
+    const double steps = (kGreatest - state().time) / m_batch->dt; // infinite or NaN for dt = 0
+    if (!(steps < static_cast<double>(kCountedSteps))) return kCountedSteps;
+    return steps > 0.0 ? static_cast<uint64_t>(steps) : 0;
 }
 
 void BallRun::stop(const phys_state &state) {

@@ -64,10 +64,11 @@ public:
 
 private:
     phys_status check(bool paramsAreChecked) const;
-    phys_status tryStep(decltype(&makeStep) make, phys_state &next) const;
-    phys_status stepAndTally(phys_state &next) const;
+    phys_status tryStep(decltype(&makeStep) make, phys_state &next);
+    phys_status stepAndTally(phys_state &next);
     bool wasUnchanged() const;
     uint64_t stepsOfSameGravity(uint64_t step) const;
+    uint64_t stepsWithinTime() const;
 
     phys_stepper *m_stepper = nullptr;
     const phys_batch *m_batch = nullptr;
@@ -79,6 +80,7 @@ private:
     phys_state m_states[2]{};             ///< alternately the last good state and the next one
     int m_now = 0;                        ///< index of the last good state
     bool m_isRunning = false;
+    bool m_tallyIsUnchanged = true; ///< by the last step
     phys_status m_status = PHYS_OK;
     uint64_t m_done = 0;
     uint64_t m_pathCount = 0;

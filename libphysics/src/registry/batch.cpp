@@ -4,9 +4,8 @@
 #include "base/error.h"
 #include "base/float_environment.h"
 #include "registry/arguments.h"
+#include "registry/clock.h"
 #include "registry/side_by_side.h"
-
-#include <algorithm>
 
 namespace phys {
 
@@ -15,11 +14,6 @@ namespace {
 phys_status refuseStride(const char *name, size_t stride, uint64_t least, phys_error *err) {
     return fail(err, PHYS_ERROR_ARGUMENT, "%s is %zu; expected a multiple of 8 and at least %llu", name, stride,
                 static_cast<unsigned long long>(least));
-}
-
-/// Of one ball; of those that no memory can hold the greatest number instead of one that has wrapped around.
-uint64_t bytesOfPath(const phys_batch &batch) {
-    return std::min(pathLength(batch), UINT64_MAX / sizeof(phys_state)) * sizeof(phys_state);
 }
 
 phys_status checkStrides(const phys_batch &batch, phys_error *err) {
@@ -33,7 +27,7 @@ phys_status checkStrides(const phys_batch &batch, phys_error *err) {
                    {"gravity_ball_stride", batch.gravity_ball_stride, 0},
                    {"gravity_step_stride", batch.gravity_step_stride, 0},
                    {"states_stride", batch.states_stride, own * sizeof(phys_state)},
-                   {"path_ball_stride", batch.path_ball_stride, own * bytesOfPath(batch)}};
+                   {"path_ball_stride", batch.path_ball_stride, own * pathLength(batch) * sizeof(phys_state)}};
     for (const auto &[name, stride, least] : strides) {
         if (stride % 8 != 0 || stride < least) return refuseStride(name, stride, least, err);
     }
@@ -51,6 +45,10 @@ phys_status checkBatch(const phys_batch &batch, uint64_t first, uint64_t count, 
     if (const uint32_t unknown = batch.stop_flags & ~static_cast<uint32_t>(PHYS_STATE_FLAGS)) {
         return fail(err, PHYS_ERROR_ARGUMENT, "stop_flags has the unknown bits 0x%x; known bits are 0x%x", unknown,
                     PHYS_STATE_FLAGS);
+    }
+    if (batch.step_count > kCountedSteps) {
+        return fail(err, PHYS_ERROR_ARGUMENT, "step_count is %llu; expected at most 2^53 = %llu",
+                    static_cast<unsigned long long>(batch.step_count), static_cast<unsigned long long>(kCountedSteps));
     }
     if (batch.path && batch.path_every == 0) {
         return fail(err, PHYS_ERROR_ARGUMENT, "path_every is 0; expected 1 or more with a path");
@@ -73,7 +71,8 @@ phys_status runBalls(phys_stepper &stepper, const phys_batch &batch, uint64_t fi
     }
     Outcome outcome(batch, err);
     // A ball that slides in a lane needs no test for slipping.
-    const bool mayUseLanes = batch.dt > 0.0 && !(batch.stop_flags & PHYS_SLIPPING) && !wantsTally(batch);
+    const bool mayUseLanes =
+        batch.dt > 0.0 && batch.dt <= kLongestHarmlessStep && !(batch.stop_flags & PHYS_SLIPPING) && !wantsTally(batch);
     SideBySide(stepper, batch, mayUseLanes ? stepper.lanes : nullptr, areShared, outcome).run(first, first + count);
     return outcome.status();
 }

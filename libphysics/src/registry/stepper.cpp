@@ -5,6 +5,7 @@
 #include "base/appendable.h"
 #include "base/error.h"
 #include "base/float_environment.h"
+#include "base/text.h"
 #include "registry/arguments.h"
 #include "registry/clock.h"
 #include "registry/energy.h"
@@ -23,11 +24,10 @@ namespace phys {
 
 namespace {
 
-/// Integers up to here are representable as doubles.
-constexpr uint64_t kCountedSteps = uint64_t{1} << 53;
-
 void know(phys_stepper &stepper, const phys_params &params, double dt) {
     if (stepper.lanes) stepper.lanes->prepare(stepper.self, params, dt);
+    // Shortcuts don't check the time after the step.
+    stepper.known.lanes = dt <= kLongestHarmlessStep ? stepper.lanes : nullptr;
     stepper.known.params = params;
     stepper.known.dt = dt;
     stepper.known.hasRest = false;
@@ -70,7 +70,7 @@ inline phys_status step(phys_stepper &stepper, const phys_params &params, double
         out = in;
         return PHYS_OK;
     }
-    if (!stepper.lanes || !stepper.lanes->one(stepper.self, params, dt, in, out, report)) {
+    if (!stepper.known.lanes || !stepper.known.lanes->one(stepper.self, params, dt, in, out, report)) {
         return stepInFull(stepper, params, dt, in, out, report, err);
     }
     out.time = nextTime(in, dt); // from `in` even if that is `out`: the shortcut leaves the clock unchanged
@@ -112,7 +112,7 @@ phys_status stepAtRest(phys_stepper &stepper, const phys_params &params, double 
     if (const phys_status status = begin(stepper, params, dt, in, err)) return status;
     const phys_state before = in;
     if (const phys_status status = step(stepper, params, dt, in, out, nullptr, err)) return status;
-    stepper.known.hasRest = isSameBall(before, out);
+    stepper.known.hasRest = dt <= kLongestHarmlessStep && isSameBall(before, out); // likewise
     if (stepper.known.hasRest) stepper.known.rest = out;
     return PHYS_OK;
 }
@@ -131,13 +131,14 @@ phys_status makeStep(phys_stepper &stepper, const phys_params &params, double dt
 }
 
 void advanceClock(double dt, uint64_t steps, phys_state &state) {
-    for (uint64_t i = 0; i < steps; ++i) {
-        const double counted = static_cast<double>(static_cast<int64_t>(state.step)) * dt;
-        const uint64_t left = steps - i;
-        // Counted times stay counted, so the remaining steps are made at once.
-        if (counted == state.time && state.time >= 0.0 && state.step + left < kCountedSteps) {
-            state.step += left;
-            state.time = static_cast<double>(static_cast<int64_t>(state.step)) * dt;
+    constexpr uint64_t kEnd = uint64_t{1} << 63; // step numbers from here on count as negative
+    if (dt == 0.0) return;
+    for (; steps > 0; --steps) {
+        // Counted times stay counted, so the remaining steps are made at once; the time is that after the last one.
+        if (isCounted(state, dt) && state.step < kEnd && steps <= kEnd - state.step) {
+            state.step += steps - 1;
+            state.time = (stepsOf(state) + 1.0) * dt;
+            ++state.step;
             return;
         }
         state.time = nextTime(state, dt);
@@ -231,6 +232,11 @@ phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_pa
         return phys::fail(err, PHYS_ERROR_UNSUPPORTED, "stepper '%s' doesn't tell what it requires", stepper->api->id);
     }
     phys_requirements requirements{};
+    if (dt == 0.0) {
+        for (char(&reason)[120] : requirements.reasons) phys::writeText(reason, sizeof reason, "not needed: dt is 0");
+        *out = requirements;
+        return PHYS_OK;
+    }
     const phys_status status = stepper->isPlugin
                                    ? phys::requirementsOfPlugin(*stepper, *params, dt, *state, requirements, err)
                                    : stepper->api->requirements(stepper->self, params, dt, state, &requirements, err);

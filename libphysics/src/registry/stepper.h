@@ -23,8 +23,9 @@ inline bool isSameBall(const phys_state &a, const phys_state &b) {
 /// Parameters and length of the last step. Most steps have the same: these needn't be checked again.
 struct KnownStep {
     phys_params params{};
-    double dt = NAN;   ///< s; NaN: no step yet
-    phys_state rest{}; ///< of a ball that such a step left unchanged
+    double dt = NAN;                  ///< s; NaN: no step yet
+    const LaneSteps *lanes = nullptr; ///< those of the stepper, unless the step is too long for shortcuts
+    phys_state rest{};                ///< of a ball that such a step left unchanged
     bool hasRest = false;
 
     bool is(const phys_params &others, double length) const {

@@ -79,6 +79,8 @@ private slots:
     void manyBoxesNeedTheGrid();
     void allStagesAreForced_data() { addStepperRows(); }
     void allStagesAreForced();
+    void noTimeNeedsNoStage_data() { addStepperRows(); }
+    void noTimeNeedsNoStage();
     void questionChangesNothing_data() { addStepperRows(); }
     void questionChangesNothing();
 
@@ -106,6 +108,17 @@ void TestRequirements::plainStepNeedsNoStage() {
         const bool runs = m_answer.stages >> i & 1U;
         QVERIFY2(text.startsWith("not needed: ") != runs && text.size() > 20, text.constData());
     }
+}
+
+void TestRequirements::noTimeNeedsNoStage() {
+    QFETCH(QByteArray, stepper);
+    Experiment ball = plainBall(stepper);
+    ball.params.rolling_friction = 0.01;
+    ball.params.options = PHYS_OPTIONS;
+    QVERIFY2(ask(ball, 0.0), m_error.text);
+    QCOMPARE(m_answer.stages, 0U);
+    QCOMPARE(m_answer.substeps, 0U); // as the report of that step says
+    for (const char(&text)[120] : m_answer.reasons) QCOMPARE(text, "not needed: dt is 0");
 }
 
 void TestRequirements::stageIsNeededForAReason_data() {
