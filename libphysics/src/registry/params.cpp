@@ -28,6 +28,14 @@ void write(phys_params &params, const phys_param_row &row, double value) {
 /// Whether the caller's struct is long enough to contain the row's value.
 bool hasRow(const phys_params &params, const phys_param_row &row) { return endOf(row) <= params.struct_size; }
 
+/// Whether the row's value is one of the library's or of a stepper's: rows may be copied and changed.
+bool hasPlace(const phys_param_row &row) {
+    const auto isSame = [&row](const phys_param_row &own) {
+        return own.offset == row.offset && ((own.flags ^ row.flags) & PHYS_ROW_CHOICE) == 0;
+    };
+    return isOwnPlace(row.offset) || std::any_of(std::begin(kRows), std::end(kRows), isSame);
+}
+
 phys_status refuseSize(const phys_params &params, phys_error *err) {
     return fail(err, PHYS_ERROR_ARGUMENT, "params.struct_size is %u; expected %zu: call phys_params_init first",
                 params.struct_size, sizeof params);
@@ -108,6 +116,10 @@ phys_status phys_param_set(phys_params *params, const phys_param_row *row, doubl
     if (!phys::hasRow(*params, *row)) {
         return phys::fail(err, PHYS_ERROR_ARGUMENT, "params.struct_size is %u; %s needs %zu", params->struct_size,
                           row->id, phys::endOf(*row));
+    }
+    if (!phys::hasPlace(*row)) {
+        return phys::fail(err, PHYS_ERROR_ARGUMENT, "the row %s has the offset %u; expected that of a parameter",
+                          row->id, row->offset);
     }
     if (const phys_status status = phys::checkValue(value, *row, err)) return status;
     phys::write(*params, *row, value);

@@ -66,6 +66,12 @@ constexpr size_t endOf(const phys_param_row &row) {
 static_assert(std::all_of(std::begin(kRows), std::end(kRows),
                           [](const phys_param_row &row) { return endOf(row) <= sizeof(phys_params); }));
 
+/// Whether an element of phys_params.stepper begins there.
+constexpr bool isOwnPlace(uint32_t offset) {
+    constexpr size_t kFirst = offsetof(phys_params, stepper), kEnd = kFirst + sizeof(phys_params::stepper);
+    return offset >= kFirst && offset < kEnd && (offset - kFirst) % sizeof(double) == 0;
+}
+
 inline double readRow(const phys_params &params, const phys_param_row &row) {
     const char *place = reinterpret_cast<const char *>(&params) + row.offset;
     if (row.flags & PHYS_ROW_CHOICE) {

@@ -4,6 +4,7 @@
 #include "base/appendable.h"
 #include "base/error.h"
 #include "base/utf8.h"
+#include "registry/params.h"
 
 #include <algorithm>
 #include <cmath>
@@ -218,11 +219,9 @@ private:
     phys_status checkRowPlace(const phys_param_row &row) {
         constexpr auto kFirst = static_cast<uint32_t>(offsetof(phys_params, stepper));
         constexpr auto kLast = static_cast<uint32_t>(kFirst + (PHYS_STEPPER_VALUES - 1) * sizeof(double));
-        if (row.offset < kFirst || row.offset > kLast || (row.offset - kFirst) % sizeof(double) != 0) {
-            return refuse("offset is %u; expected %u .. %u in steps of %zu: an element of phys_params.stepper",
-                          row.offset, kFirst, kLast, sizeof(double));
-        }
-        return PHYS_OK;
+        if (isOwnPlace(row.offset)) return PHYS_OK;
+        return refuse("offset is %u; expected %u .. %u in steps of %zu: an element of phys_params.stepper", row.offset,
+                      kFirst, kLast, sizeof(double));
     }
 
     phys_status checkRowNumbers(const phys_param_row &row) {

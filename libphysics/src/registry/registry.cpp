@@ -7,6 +7,7 @@
 #include "registry/built_in_steppers.h"
 #include "registry/params.h"
 
+#include <algorithm>
 #include <cstring>
 #include <new>
 
@@ -39,6 +40,13 @@ phys_status refuseUnknown(const phys_registry *registry, const char *id, phys_er
         writeText(ids + length, sizeof ids - length, "%s%s", i ? ", " : "", describe(registry, i).id);
     }
     return fail(err, PHYS_ERROR_UNKNOWN_STEPPER, "no stepper has the id '%.60s'; known are %s", id, ids);
+}
+
+/// Whether its rows can be those of a stepper: infos may be made by hand.
+bool hasOwnRows(const phys_stepper_info &info) {
+    if (info.row_count > PHYS_STEPPER_VALUES || (info.row_count > 0 && !info.rows)) return false;
+    return std::all_of(info.rows, info.rows + info.row_count,
+                       [](const phys_param_row *row) { return row && isOwnPlace(row->offset); });
 }
 
 } // namespace
@@ -90,6 +98,7 @@ phys_status phys_registry_find(const phys_registry *registry, const char *id, ph
 
 phys_status phys_stepper_info_init_params(const phys_stepper_info *info, phys_params *params) {
     if (!info || !params || !phys::isKnownSize<phys_params>(params->struct_size)) return PHYS_ERROR_ARGUMENT;
+    if (!phys::hasOwnRows(*info)) return PHYS_ERROR_ARGUMENT;
     phys_params filled{};
     std::memcpy(&filled, params, params->struct_size);
     std::memset(filled.stepper, 0, sizeof filled.stepper);

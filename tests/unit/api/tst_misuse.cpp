@@ -224,6 +224,22 @@ std::vector<Misuse> nullPointersOfTerseFunctions() {
     };
 }
 
+/// phys_stepper_info_init_params of an info that isn't as the library made it.
+phys_status initParamsOf(Bench &bench, const std::vector<const phys_param_row *> &rows) {
+    phys_stepper_info info{};
+    info.row_count = static_cast<uint32_t>(rows.size());
+    info.rows = rows.data();
+    return phys_stepper_info_init_params(&info, &bench.out.params);
+}
+
+/// phys_param_set of a copied row.
+phys_status setAt(Bench &bench, uint32_t offset, uint32_t flags, phys_error *error) {
+    phys_param_row row = phys_param_rows(nullptr)[1];
+    row.offset = offset;
+    row.flags = flags;
+    return phys_param_set(&bench.out.params, &row, 0.0, error);
+}
+
 std::vector<Misuse> wrongValuesOfTerseFunctions() {
     const phys_status refused = PHYS_ERROR_ARGUMENT;
     std::vector<Misuse> rows{
@@ -234,6 +250,22 @@ std::vector<Misuse> wrongValuesOfTerseFunctions() {
         {"phys_report_init: size", refused, [](Bench &b, phys_error *) { return phys_report_init(&b.out.report, 0); }},
         {"phys_registry_info: index", refused,
          [](Bench &b, phys_error *) { return phys_registry_info(nullptr, phys_registry_count(nullptr), &b.out.info); }},
+        {"phys_stepper_info_init_params: no rows", refused,
+         [](Bench &b, phys_error *) {
+             phys_stepper_info info{};
+             info.row_count = 1;
+             return phys_stepper_info_init_params(&info, &b.out.params);
+         }},
+        {"phys_stepper_info_init_params: a row that is NULL", refused,
+         [](Bench &b, phys_error *) { return initParamsOf(b, {nullptr}); }},
+        {"phys_stepper_info_init_params: too many rows", refused,
+         [](Bench &b, phys_error *) {
+             phys_param_row row = phys_param_rows(nullptr)[1];
+             row.offset = offsetof(phys_params, stepper);
+             return initParamsOf(b, std::vector<const phys_param_row *>(PHYS_STEPPER_VALUES + 1, &row));
+         }},
+        {"phys_stepper_info_init_params: a row of the library", refused,
+         [](Bench &b, phys_error *) { return initParamsOf(b, {phys_param_rows(nullptr) + 1}); }},
     };
     constexpr double kQuarterTurn = 1.5707963267948966;
     for (const double tilt : {kNaN, kInfinity, -kInfinity, kQuarterTurn, -kQuarterTurn, 100.0}) {
@@ -380,6 +412,12 @@ std::vector<Misuse> otherWrongs() {
          [](Bench &b, phys_error *e) { return phys_stepper_create(nullptr, "", b.ball.scene(), &b.out.stepper, e); }},
         {"phys_registry_find: unknown id", PHYS_ERROR_UNKNOWN_STEPPER,
          [](Bench &b, phys_error *e) { return phys_registry_find(nullptr, "RK4", &b.out.info, e); }},
+        {"phys_param_set: offset of the size", PHYS_ERROR_ARGUMENT,
+         [](Bench &b, phys_error *e) { return setAt(b, 0, 0, e); }},
+        {"phys_param_set: offset between two values", PHYS_ERROR_ARGUMENT,
+         [](Bench &b, phys_error *e) { return setAt(b, offsetof(phys_params, gravity) + 5, 0, e); }},
+        {"phys_param_set: a choice where a number is", PHYS_ERROR_ARGUMENT,
+         [](Bench &b, phys_error *e) { return setAt(b, offsetof(phys_params, gravity), PHYS_ROW_CHOICE, e); }},
         {"phys_scene_check_planar: a low kerb", PHYS_ERROR_UNSUPPORTED,
          [](Bench &, phys_error *e) {
              const auto scene = openFloor(1.0).box({{0.5, -1, 0}, {0.75, 1, 0.03125}}).build();
