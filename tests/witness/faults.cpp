@@ -102,13 +102,15 @@ phys_status obeyReport(Step &step) {
 }
 phys_status claimLoss(Step &step) {
     const phys_status status = soundStep(step);
-    if (!status && step.report) step.report->lost_impact -= 1.0;
+    if (!status && step.report) step.report->lost_slip -= 1.0;
     return status;
 }
 phys_status claimRest(Step &step) {
     const phys_status status = soundStep(step);
-    if (!status && dot(step.out.velocity, step.out.velocity) < 1e-2) step.out.flags |= PHYS_AT_REST;
-    return status;
+    if (status || dot(step.out.velocity, step.out.velocity) >= 1e-2) return status;
+    step.out.velocity = step.out.spin = {0, 0, 0};
+    step.out.flags |= PHYS_AT_REST;
+    return PHYS_OK;
 }
 /// Continues straight on if the step is long, whatever is in the way, and ends beside it.
 phys_status jump(Step &step) {

@@ -94,7 +94,7 @@ void WitnessNotices::aPlantedFaultIsFoundAndNamed_data() {
     row("remembers", {"boxes"}, {"fresh", "all_stages"});
     row("obeys-report", {"boxes"}, {"fresh"});
     row("claims-loss", {"boxes"}, {"report"});
-    row("claims-rest", {"boxes"}, {"rest", "scaled"});
+    row("claims-rest", {"boxes"}, {"rest", "scaled", "law"});
     row("jumps", {"room"}, {"through", "energy"});
 }
 

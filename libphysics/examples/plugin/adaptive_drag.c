@@ -188,8 +188,13 @@ static void meet(Job *job, Phase *phase, const phys_contact *contact) {
     job->ball.velocity = plus(job->ball.velocity, (bounces ? back : 0.0) - into, contact->normal);
     if (!bounces) phase->held[phase->held_count++] = contact->normal;
     if (!bounces && floor) phase->supported = true;
-    if (phase->supported) roll(job);
-    if (job->report) job->report->lost_impact += before - kinetic(job);
+    if (phase->supported && !floor) roll(job);
+    const double met = kinetic(job);
+    if (phase->supported && floor) roll(job); /* a given spin that isn't that of rolling is slip */
+    if (job->report) {
+        job->report->lost_impact += fmax(before - met, 0.0); /* never below 0, not even by rounding */
+        job->report->lost_slip += met - kinetic(job);
+    }
     if (bounces) tell(job, floor ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, contact, into, back);
 }
 

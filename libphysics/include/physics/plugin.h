@@ -5,7 +5,8 @@
  *
  *     const phys_plugin phys_plugin_entry = { PHYS_ABI_VERSION, sizeof(phys_plugin), 1, 0, steppers };
  *
- *  The table is checked before any of its functions is called, and the result of each step before the caller gets it.
+ *  The table is checked before any of its functions is called, and read where it lies from then on: it must not change.
+ *  The result of each step is checked before the caller gets it.
  *  But constructors, which run when a shared object is loaded, have run by then: load only files that you trust.
  */
 #ifndef PHYS_PLUGIN_H
@@ -69,7 +70,11 @@ typedef struct phys_stepper_api {
 
     /** As phys_step, with arguments already checked: pointers valid, dt > 0, in valid, params within their rows.
      *  in and out never overlap. err is never NULL, report may be. The host has copied *in to *out and advanced step
-     *  and time: leave those two as they are. It computes the report's energies before and after itself. */
+     *  and time: leave those two as they are. It computes the report's energies before and after itself. A result that
+     *  isn't as physics.h says fails with PHYS_ERROR_PLUGIN_RESULT: numbers beyond 2^100 (energies 2^300); an
+     *  orientation whose square is off 1 by more than 1e-6, or that has turned without PHYS_OPTION_ORIENTATION; a
+     *  velocity or spin with PHYS_AT_REST; lost_impact, lost_rolling or penetration below 0, if only by rounding; an
+     *  impact or landing without a box; a takeoff, stop or roll with one. */
     phys_status (*step)(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                         phys_report *report, phys_error *err);
 

@@ -55,7 +55,7 @@ phys_status gain(Self &, const phys_params &, double, phys_state &state, phys_er
 
 /// The ball's path depends on the number of calls of this stepper.
 phys_status remember(Self &self, const phys_params &, double, phys_state &state, phys_error &) {
-    if (++self.steps % 3 == 0) state.orientation[0] = 1e-9 * static_cast<double>(self.steps);
+    if (++self.steps % 3 == 0) state.spin.z = 1e-9 * static_cast<double>(self.steps);
     return PHYS_OK;
 }
 

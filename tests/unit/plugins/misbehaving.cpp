@@ -65,6 +65,21 @@ phys_status stretchOrientation(const Step &step) {
     step.out->orientation[0] = 2.0;
     return PHYS_OK;
 }
+phys_status restMoving(const Step &step) {
+    step.out->flags = PHYS_AT_REST;
+    step.out->velocity.x = 1.0;
+    return PHYS_OK;
+}
+phys_status restSpinning(const Step &step) {
+    step.out->flags = PHYS_AT_REST;
+    step.out->spin.z = 1.0;
+    return PHYS_OK;
+}
+phys_status turnUnasked(const Step &step) {
+    step.out->orientation[2] = 1.0;
+    step.out->orientation[3] = 0.0;
+    return PHYS_OK;
+}
 phys_status writeInput(const Step &step) {
     std::memset(const_cast<phys_state *>(step.in), 0xff, sizeof *step.in);
     return PHYS_OK;
@@ -105,7 +120,7 @@ phys_status swapBuffer(const Step &step) {
 constexpr double kNan = NAN, kInfinity = INFINITY, kMinusInfinity = -INFINITY, kMinusTwo = -2.0, kMinusOne = -1.0,
                  kEighth = 0.125, kThree = 3.0, kFive = 5.0;
 constexpr phys_vec3 kNowhere{0, NAN, 0}, kLong{0, 0.6, 0.9};
-constexpr uint32_t kNoKind = 0, kKind99 = 99, kBox12345 = 12345, kNoBox = PHYS_NO_BOX;
+constexpr uint32_t kNoKind = 0, kKind99 = 99, kBox12345 = 12345, kFloor = 0, kNoBox = PHYS_NO_BOX;
 
 /// Changes one member of a report. All zero is a good one.
 template<auto member, const auto &value>
@@ -225,6 +240,9 @@ constexpr phys_stepper_api kTables[] = {
     doing<countTwice>("step-counted-twice"),
     doing<writeUnknownFlags>("unknown-flags"),
     doing<stretchOrientation>("orientation-not-unit"),
+    doing<restMoving>("rests-moving"),
+    doing<restSpinning>("rests-spinning"),
+    doing<turnUnasked>("turns-unasked"),
     doing<writeInput>("writes-input"),
     doing<writeBeyondOut>("writes-beyond-out"),
     doing<writeBeyondReport>("writes-beyond-report"),
@@ -235,6 +253,8 @@ constexpr phys_stepper_api kTables[] = {
     doing<swapBuffer>("own-buffer"),
     doing<report<&phys_report::lost_impact, kNan>>("nan-in-report"),
     doing<report<&phys_report::penetration, kMinusOne>>("penetration-negative"),
+    doing<report<&phys_report::lost_impact, kMinusOne>>("impact-gains"),
+    doing<report<&phys_report::lost_rolling, kMinusOne>>("rolling-gains"),
     doing<report<&phys_report::lost_slip, kMinusInfinity>>("slip-infinite"),
     doing<loseEverything>("loses-everything"),
     doing<claimEnergies>("claims-energies"),
@@ -245,6 +265,7 @@ constexpr phys_stepper_api kTables[] = {
     doing<event<0, &phys_event::kind, kKind99>>("event-of-kind-99"),
     doing<event<0, &phys_event::box, kBox12345>>("event-of-no-such-box"),
     doing<event<0, &phys_event::box, kNoBox>>("impact-without-a-box"),
+    doing<event<1, &phys_event::box, kFloor>>("stop-with-a-box"),
     doing<event<0, &phys_event::time, kFive>>("event-too-late"),
     doing<event<0, &phys_event::time, kMinusOne>>("event-too-early"),
     doing<event<1, &phys_event::time, kEighth>>("events-out-of-order"),

@@ -117,16 +117,24 @@ void PluginResult::aWrongStepIsRefused_data() {
     result("unknown-flags", "the result of plugin stepper 'unknown-flags' has the flags 0x30; known bits are 0xf");
     result("orientation-not-unit", "the result of plugin stepper 'orientation-not-unit' has the orientation (2, 0, 0, "
                                    "1); expected a unit quaternion");
+    const QByteArray rest = "' has the flag PHYS_AT_REST and a velocity or spin; expected none of them";
+    result("rests-moving", "the result of plugin stepper 'rests-moving" + rest);
+    result("rests-spinning", "the result of plugin stepper 'rests-spinning" + rest);
+    result("turns-unasked", "the result of plugin stepper 'turns-unasked' has another orientation; expected the same "
+                            "without PHYS_OPTION_ORIENTATION");
     const auto reported = [&](const char *id, const QByteArray &what) {
         result(id, QByteArray("plugin stepper '") + id + "' reports " + what);
     };
     reported("too-many-events", "event_count 3; expected at most event_capacity");
     result("own-buffer",
            "plugin stepper 'own-buffer' changed the report's size or its event buffer; expected them untouched");
-    reported("nan-in-report", "lost_impact nan; expected a number within +-2^300");
+    reported("nan-in-report", "lost_impact nan; expected a number from 0 to 2^300");
     reported("penetration-negative", "penetration -1; expected a number from 0 to 2^100");
     reported("slip-infinite", "lost_slip -inf; expected a number within +-2^300");
-    reported("loses-everything", "lost_impact 1e+308; expected a number within +-2^300");
+    reported("loses-everything", "lost_impact 1e+308; expected a number from 0 to 2^300");
+    reported("impact-gains", "lost_impact -1; expected a number from 0 to 2^300");
+    reported("rolling-gains", "lost_rolling -1; expected a number from 0 to 2^300");
+    reported("stop-with-a-box", "event 1 with box 0; expected PHYS_NO_BOX");
     reported("passes-the-cap", "substeps 9; expected at most substep_cap");
     reported("event-of-kind-0", "event 1 with kind 0; expected 1 .. 7");
     reported("event-of-kind-99", "event 0 with kind 99; expected 1 .. 7");
