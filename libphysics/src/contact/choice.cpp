@@ -116,16 +116,16 @@ Vec3 resistanceIn(const Response &response, std::span<const Held> held, double r
 
 } // namespace
 
-void choose(const Contacts &contacts, const Moment &moment, double rollingFriction, double h, Work &work,
+bool choose(const Contacts &contacts, const Moment &moment, double rollingFriction, double h, Work &work,
             LastingContacts &lasting) {
-    if (contacts.count() < 2) return;
+    if (contacts.count() < 2) return false;
     Substep substep{moment, rollingFriction, h};
-    if (isOnlySolution(substep, contacts)) return;
+    if (isOnlySolution(substep, contacts)) return false;
     Moment stopped = moment;
     stopped.settled = kSettled;
     if (rollingFriction > 0.0 && mayStop(substep)) stopped.spin.x = stopped.spin.y = 0.0;
     Part part(substep, contacts, [](const Contact &contact) { return contact.restSpeed; });
-    if (part.isFull) return;
+    if (part.isFull) return false;
     Work own(kMostChoice);
     const auto respondTo = [&](const Part &among) {
         stopped.mostPressing = among.count >= kMany ? kFewest : Moment{}.mostPressing;
@@ -141,7 +141,8 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
     else
         response = respondTo(part);
     work.add(2 * own.done() / 3); // its equations are small
-    if (!response.isFound || own.isTooMuch()) return;
+    if (own.isTooMuch()) return false;
+    if (!response.isFound) return true;
     const Vec3 resisting = h * resistanceIn(response, part.list(), moment.radius);
     for (uint32_t i = 0; i < part.count; ++i) {
         const Reaction &reaction = response.reactions[i];
@@ -158,6 +159,15 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
         if (contact.rolls && rollingFriction > 0.0) contact.resisting = tangential(resisting, part.held[i].normal);
     }
     lasting.setChosen();
+    return false;
+}
+
+bool endJam(const Contacts &contacts, double rollingFriction, double h, Work &work, Moment &moment) {
+    const Part part({moment, rollingFriction, h}, contacts, [](const Contact &contact) { return contact.restSpeed; });
+    Work own(kMostChoice);
+    const bool ends = endSlips(moment, part.list(), own);
+    work.add(2 * own.done() / 3);
+    return ends && !own.isTooMuch();
 }
 
 } // namespace phys

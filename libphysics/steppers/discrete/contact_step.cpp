@@ -55,6 +55,7 @@ SmoothLoss lossOf(const StepContext &context, const LastingContacts &contacts, c
 struct HeldBall {
     LastingContacts contacts;
     SmoothLoss loss;
+    bool jams; ///< no modes fit at the start
 };
 
 Lasting lastingOf(const Contact &contact, double slow) {
@@ -69,11 +70,11 @@ Lasting lastingOf(const Contact &contact, double slow) {
 }
 
 /// Determines which contacts press, stick and roll, if that isn't obvious: lasting contacts without impulses get those
-/// of a substep h (s).
-void choose(const StepContext &context, const Contacts &contacts, const Motion &motion, double h,
+/// of a substep h (s). Returns whether no modes fit.
+bool choose(const StepContext &context, const Contacts &contacts, const Motion &motion, double h,
             LastingContacts &lasting) {
     const Moment moment{motion.velocity, motion.spin, context.setting.gravity(), context.radius()};
-    choose(contacts, moment, context.params().rolling_friction, h, context.work, lasting);
+    return choose(contacts, moment, context.params().rolling_friction, h, context.work, lasting);
 }
 
 /// The explicit rule: the old velocity, with the new one's component along the normals of pressing contacts.
@@ -181,8 +182,9 @@ void allowLeaving(const StepContext &context, const Contacts &contacts, const Ve
 
 /// The contacts of a substep of order 1, which changes the motion; turn: whether their normals do. Contacts only take
 /// energy from it: where the solution adds some, as several sticking contacts turn the ball to close their gaps, the
-/// gaps stay.
-LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, double h, Motion &motion, bool &turn) {
+/// gaps stay. jams: whether no modes fit.
+LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, double h, Motion &motion, bool &turn,
+                          bool &jams) {
     constexpr double kMostGain = 1e-12;
     const Motion before = motion;
     Motion driven = motion;
@@ -192,7 +194,7 @@ LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, 
         LastingContacts lasting(context.radius(), context.work);
         for (const Contact &contact : contacts)
             lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / time));
-        choose(context, contacts, before, h, lasting);
+        jams = choose(context, contacts, before, h, lasting);
         turn = mayTurn && haveTurns(context, contacts, lasting);
         (turn ? allowTurns : allowLeaving)(context, contacts, before.velocity, h, lasting);
         motion = driven;
@@ -230,8 +232,8 @@ void stopBetween(const LastingContacts &contacts, double driven, Motion &motion)
 HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
     const Motion before = motionOf(ball);
     Motion motion = before;
-    bool turn = false;
-    const LastingContacts lasting = closeGaps(context, contacts, h, motion, turn);
+    bool turn = false, jams = false;
+    const LastingContacts lasting = closeGaps(context, contacts, h, motion, turn, jams);
     const SmoothLoss loss = lossOf(context, lasting, before, motion);
     const bool isExplicit = kind == ContactRule::Explicit;
     stopBetween(lasting, glm::length(before.velocity) + h * glm::length(context.setting.gravity()), motion);
@@ -240,13 +242,13 @@ HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, Co
     setMotion(motion, ball);
     if (kind == ContactRule::Closing || turn) {
         stayInContact(context, contacts, lasting, before, h, ball);
-        return {lasting, loss};
+        return {lasting, loss, jams};
     }
     for (uint32_t i = 0; i < contacts.count(); ++i) {
         const bool arrives = lasting.begin()[i].reaction > 0.0 && contacts[i].isFace();
         if (arrives) snapToFace(context, contacts[i], ball);
     }
-    return {lasting, loss};
+    return {lasting, loss, jams};
 }
 
 /// Impulses act along the normals half-way, conditions along those at the end; friction opposes the mean slip, or that
@@ -281,6 +283,7 @@ HeldBall holdTurning(const StepContext &context, const Contacts &contacts, Conta
         return h * (isMean ? 0.5 * (before.velocity + motion.velocity) : motion.velocity);
     };
     LastingContacts lasting(context.radius(), context.work);
+    bool jams = false;
     // The normals of faces don't turn.
     const bool turns =
         std::any_of(contacts.begin(), contacts.end(), [](const Contact &contact) { return !contact.isFace(); });
@@ -291,7 +294,7 @@ HeldBall holdTurning(const StepContext &context, const Contacts &contacts, Conta
             contact->rubbing = last->rubbing;
         }
         if (lasting.isChosen()) next.keep(lasting);
-        if (pass == 0) choose(context, contacts, before, h, next);
+        if (pass == 0) jams = choose(context, contacts, before, h, next);
         lasting = next;
         motion = driven;
         lasting.solve(context.params().rolling_friction, motion);
@@ -300,7 +303,7 @@ HeldBall holdTurning(const StepContext &context, const Contacts &contacts, Conta
     ball.position += way();
     setMotion(motion, ball);
     stayInContact(context, contacts, lasting, before, h, ball);
-    return {lasting, loss};
+    return {lasting, loss, jams};
 }
 
 /// What contacts without friction and resistance leave of gravity.
@@ -333,6 +336,18 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
 HeldBall holdInThisOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
     const bool turns = kind == ContactRule::SecondOrder || kind == ContactRule::EndingSlip;
     return (turns ? holdTurning : holdFirstOrder)(context, contacts, kind, h, ball);
+}
+
+/// A jam among touched contacts ends as in `exact`, model.md 14.1. False if it can't.
+bool endJam(const StepContext &context, const Contacts &contacts, double h, Ball &ball) {
+    const bool allTouched = std::all_of(contacts.begin(), contacts.end(),
+                                        [&](const Contact &contact) { return touches(context, contact); });
+    Moment moment{ball.velocity, ball.spin, context.setting.gravity(), context.radius()};
+    if (!allTouched || !endJam(contacts, context.params().rolling_friction, h, context.work, moment)) return false;
+    const double before = kineticEnergy(context, motionOf(ball));
+    setMotion({moment.velocity, moment.spin}, ball);
+    context.report.lostSlip(before - kineticEnergy(context, motionOf(ball)));
+    return true;
 }
 
 } // namespace
@@ -392,8 +407,12 @@ void SpinOnFloor::settle(bool presses, Ball &ball) const {
 
 bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball,
           std::span<bool> presses) {
-    const Ball start = ball;
-    const HeldBall held = holdInThisOrder(context, contacts, kind, h, ball);
+    Ball start = ball;
+    HeldBall held = holdInThisOrder(context, contacts, kind, h, ball);
+    if (held.jams && endJam(context, contacts, h, start)) {
+        ball = start;
+        held = holdInThisOrder(context, contacts, kind, h, ball);
+    }
     SmoothLoss loss = held.loss;
     if (contacts.hasTies()) {
         // Contacts that compare equal: the mean of both orders favours none.

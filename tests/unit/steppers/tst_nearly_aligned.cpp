@@ -81,6 +81,8 @@ private slots:
     void resistanceHoldsABallInANarrowMouth();
     void resistanceStopsABallInANarrowMouth_data() { addStepperRows(); }
     void resistanceStopsABallInANarrowMouth();
+    void aJamInAMouthEndsAsInExact_data() { addStepperRows(); }
+    void aJamInAMouthEndsAsInExact();
     void climbsAKerbHoweverShortTheStep_data() { addStepperAndModelRows(); }
     void climbsAKerbHoweverShortTheStep();
     void leavesAWallHoweverShortTheStep_data() { addStepperRows(); }
@@ -146,6 +148,30 @@ void TestNearlyAligned::resistanceStopsABallInANarrowMouth() {
     ball.state.spin = {-20.0, 50.0, 0.0};
     QVERIFY2(ball.stepTimes(200, 1e-3), ball.error());
     QVERIFY(ball.state.flags & PHYS_AT_REST);
+}
+
+/// It rolls against the edge of a roof.
+void TestNearlyAligned::aJamInAMouthEndsAsInExact() {
+    QFETCH(QByteArray, stepper);
+    constexpr double R = 0.006, kRoof = 0.01198850398049792, kDuration = 0.2;
+    SceneBuilder scene;
+    scene.ball(R).start({0.0, 0.0, R}).box({{-0.12, -0.12, -0.03}, {0.12, 0.12, 0.0}});
+    scene.box({{0.0072, -0.12, kRoof}, {0.12, 0.12, kRoof + 0.01}});
+    scene.box({{-0.12, 0.0053856847889216337, kRoof}, {0.12, 0.12, kRoof + 0.01}});
+    const auto endOf = [&](const QByteArray &id, uint64_t steps) {
+        Experiment ball(scene, id, PHYS_MODEL_RIGID);
+        ball.params.gravity = {3.343296965142553, 3.3432969651425504, -8.5953959074458695};
+        ball.params.restitution_floor = 0.0;
+        ball.params.restitution_wall = 0.12934824264244407;
+        ball.params.sliding_friction = 0.11821121339025477;
+        ball.params.wall_friction = 0.61020272428770006;
+        ball.state.velocity = {0.015323817904719589, -0.0072833328765059564, 0.0};
+        if (!ball.stepTimes(steps, kDuration / static_cast<double>(steps))) qFatal("%s", ball.error());
+        return ball.state.position;
+    };
+    const phys_vec3 end = endOf(stepper, 32000), wanted = endOf("exact", 1);
+    COMPARE_WITHIN(end.x, wanted.x, 1e-3 * R);
+    COMPARE_WITHIN(end.y, wanted.y, 1e-3 * R);
 }
 
 /// Beyond the tilt at which it tips by a share so small that it leaves the floor by less than rounding in a step.
