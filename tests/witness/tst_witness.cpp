@@ -74,6 +74,7 @@ private slots:
     void bruteForceConvergesToTheReferences();
     void bruteForcePressesWithTheLeastSum_data();
     void bruteForcePressesWithTheLeastSum();
+    void bruteForceLetsResistanceSlowABallAlongAWall();
     void bruteForceNeverMakesEnergy();
     void bruteForceFollowsTheMirror();
     void aClosedWallCantBePassed();
@@ -128,6 +129,18 @@ void Witness::bruteForcePressesWithTheLeastSum() {
     QVERIFY(force.run(law, 0.1L, motion));
     QCOMPARE(std::abs(motion.spin.y - spin) > 1e-12L, isOnFloor);
     QVERIFY(length(motion.place - Vector{0, 0, kRadius}) < 1e-12L);
+}
+
+/// A ball that rolls on a floor and on the wall that it leans on. Forces between both, which move nothing, could use up
+/// all friction of the floor: those are the least.
+void Witness::bruteForceLetsResistanceSlowABallAlongAWall() {
+    const std::vector<phys_box> boxes = {{{-9, -9, -9}, {9, 9, 0}}, {{-9, 1, 0}, {9, 9, 9}}};
+    const Law law{true, 1, {-3, 5, -8}, 0, 0, 0.12L, 0.4L, 0.01L};
+    Motion motion = {{0, 0, 1}, {-1, 0, 0}, {0, -1, -1}};
+    BruteForce force(boxes, 1);
+    QVERIFY(force.run(law, 0.1L, motion));
+    const Real acceleration = -5 / 9.0L * (3 - 0.01L * 8); // the spins about both axes add 2/5 to the inertia each
+    QVERIFY(std::abs(motion.velocity.x - (-1 + 0.1L * acceleration)) < 1e-12L);
 }
 
 /// Over random scenes of all kinds: kinetic and potential energy after each hundredth of a second.

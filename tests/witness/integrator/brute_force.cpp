@@ -304,7 +304,7 @@ Motion BruteForce::implicitEuler(const Law &law, const Motion &start, Real h, st
                 end.spin += c.resistance - (5 / (2 * m_radius)) * cross(c.touch.normal, c.friction);
             }
             press(law, scale, withResistance, contacts, end);
-            if (withResistance && contacts.size() > 1 && law.isRigid) relax(law, scale, end, contacts);
+            if (canResist && contacts.size() > 1 && law.isRigid) relax(law, scale, end, contacts);
             if (length(end.velocity - before.velocity) + m_radius * length(end.spin - before.spin) <= 8 * kUlp * scale)
                 break;
         }
