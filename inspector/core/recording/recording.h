@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recording: all inputs of a run's steps and the hash of each resulting state, as one text file. This is the one
-// place that knows its format, which README.md of the inspector describes. Numbers are the shortest decimals that read
-// back to the same bits, in every locale.
+// place in the inspector that knows its format, libphysics/docs/recording_format.md; libphysics/examples/c/replay.c
+// reads it as well. Numbers are the shortest decimals that read back to the same bits, in every locale.
 #pragma once
 
 #include "core/setup/handles.h"

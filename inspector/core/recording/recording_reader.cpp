@@ -109,6 +109,8 @@ private:
     int m_stepperLine = 0;
     bool m_isOpen = false;    ///< the last segment can be continued
     bool m_needsState = true; ///< a `state` line must follow a `level` line
+    bool m_needsOptions = true;
+    bool m_needsBoard = true;
 };
 
 const std::array<Reader::Rule, 11> Reader::kRules{{
@@ -127,6 +129,7 @@ const std::array<Reader::Rule, 11> Reader::kRules{{
 
 void Reader::read(const QByteArray &line) {
     ++m_line;
+    if (line.contains('\0')) fail(QStringLiteral("text"), line);
     if (m_line == 1) return readMark(line);
     if (line.startsWith('#') || line.isEmpty()) return;
     if (m_recording.isWhole) fail(QStringLiteral("nothing after 'end'"), line);
@@ -181,7 +184,7 @@ void Reader::readLevel(const QByteArrayList &fields) {
 
 void Reader::readStepper(const QByteArrayList &fields) {
     const qsizetype end = fields[0].indexOf(' ');
-    if (end < 0) fail(QStringLiteral("'stepper ID VERSION'"), "stepper " + fields[0]);
+    if (end < 0 || end + 1 == fields[0].size()) fail(QStringLiteral("'stepper ID VERSION'"), "stepper " + fields[0]);
     const StepperSource source{fields[0].left(end), fields[0].mid(end + 1)};
     phys_error failure;
     if (phys_registry_find(m_registry.get(), source.id.constData(), &m_stepper, &failure) != PHYS_OK)
@@ -213,6 +216,7 @@ void Reader::readOptions(const QByteArrayList &fields) {
     const uint64_t options = whole(fields[0]);
     if (options & ~uint64_t(PHYS_OPTIONS)) fail(QStringLiteral("options from 0 to %1").arg(PHYS_OPTIONS), fields[0]);
     m_conditions.inputs.params.options = uint32_t(options);
+    m_needsOptions = false;
 }
 
 void Reader::readBoard(const QByteArrayList &fields) {
@@ -225,6 +229,7 @@ void Reader::readBoard(const QByteArrayList &fields) {
     inputs.tilt = {numbers[0], numbers[1]};
     inputs.gravity = numbers[2];
     inputs.params.gravity = {numbers[3], numbers[4], numbers[5]};
+    m_needsBoard = false;
 }
 
 void Reader::readState(const QByteArrayList &fields) {
@@ -267,6 +272,8 @@ void Reader::checkConditions() const {
     if (m_conditions.maze.path.isEmpty()) missing("level");
     if (!m_stepper.id) missing("stepper");
     if (m_conditions.dt <= 0.0) missing("dt");
+    if (m_needsOptions) missing("options");
+    if (m_needsBoard) missing("board");
     if (m_needsState) missing("state");
     phys_error failure;
     if (phys_params_check(&m_conditions.inputs.params, &failure) != PHYS_OK)

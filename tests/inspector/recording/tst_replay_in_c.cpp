@@ -21,6 +21,8 @@ private slots:
     void cutOffRecordingIsSameAsFarAsItGoes();
     void differenceIsAtTheSameStep();
     void anotherMazeIsRefused();
+    void bothReadTheSameFormat_data();
+    void bothReadTheSameFormat();
     void whatIsNoRecordingIsRefused_data();
     void whatIsNoRecordingIsRefused();
 
@@ -132,6 +134,79 @@ void TestReplayInC::anotherMazeIsRefused() {
     QCOMPARE(result.status, 2);
     QVERIFY2(result.messages.endsWith(": none of the levels given has the hash in this line\n"),
              result.messages.constData());
+}
+
+/// Edits of one recording: libphysics/docs/recording_format.md, rule by rule.
+void TestReplayInC::bothReadTheSameFormat_data() {
+    QTest::addColumn<QByteArray>("begin"); // of the line that is replaced; empty: the whole text
+    QTest::addColumn<QByteArray>("to");
+    QTest::addColumn<int>("status");
+    const auto line = [](const char *name, const char *begin, const QByteArray &to, int status) {
+        QTest::newRow(name) << QByteArray(begin) << to << status;
+    };
+    line("nothing", "", "", 2);
+    line("a word", "", "hello", 2);
+    line("half a first line", "", "physics-rec", 2);
+    line("the first line alone, cut off", "", "physics-recording 1", 0);
+    line("a comment first", "physics-", "# physics\nphysics-recording 1", 2);
+    line("comments and empty lines", "board", "# long " + QByteArray(100000, 'a') + "\n\n@", 0);
+    line("NUL as a line", "board", QByteArray("\0", 1) + "\n@", 2);
+    line("NUL in a comment", "board", "#" + QByteArray("\0", 1) + "\n@", 2);
+    line("carriage returns", "board", "@\r\r", 0);
+    line("two blanks", "dt", "dt  0.01", 2);
+    line("no level", "level", "#", 2);
+    line("no stepper", "stepper", "#", 2);
+    line("no dt", "dt", "#", 2);
+    line("no options", "options", "#", 2);
+    line("no board", "board", "#", 2);
+    line("no state", "state", "#", 2);
+    line("no program", "program", "#", 0);
+    line("an initial parameter not set", "set restitution_wall", "#", 0);
+    for (const char *dt : {"0.01 s", "+0.01", "0x1p-3", "1e400", "1e-400", "1e300", "0", "-1", "0,01", "nan", ""})
+        line(qPrintable(QString("dt ") + dt), "dt", QByteArray("dt ") + dt, 2);
+    line("another way to write dt", "dt", "dt 10.00e-3", 0);
+    for (const char *options : {"4", "4294967297", "1.0", "+1", "-1", "0x1"})
+        line(qPrintable(QString("options ") + options), "options", QByteArray("options ") + options, 2);
+    line("a state of 17 numbers", "state", "@ 0", 2);
+    line("half a step", "state", "state 0 0.5 -0.08 0.08 0.006 0 0 0 0 0 0 0 0 0 1 1", 2);
+    line("a state without numbers", "state", "state 0 0 nan 0.08 0.006 0 0 0 0 0 0 0 0 0 1 1", 2);
+    line("unknown flags", "state", "state 0 0 -0.08 0.08 0.006 0 0 0 0 0 0 0 0 0 1 16", 2);
+    line("no unit quaternion", "state", "state 0 0 -0.08 0.08 0.006 0 0 0 0 0 0 0 0 0 5 1", 2);
+    line("a board without numbers", "board", "board nan nan nan 0 0 -9.81", 2);
+    line("an upright board", "board", "board 2 0 9.81 0 0 -9.81", 2);
+    line("gravity out of range", "board", "board 0 0 9.81 0 0 -1e9", 2);
+    line("gravity as a parameter", "board", "set gravity_x 3\n@", 2);
+    line("a parameter before its stepper", "stepper", "set restitution_wall 0.5\n@", 2);
+    line("a stepper without a version", "stepper", "stepper symplectic-euler", 2);
+    line("a stepper with an empty version", "stepper", "stepper symplectic-euler ", 2);
+    line("another version of the stepper", "stepper", "stepper symplectic-euler 0", 0);
+    line("no hash of a level", "level", "level 0123 01.txt", 2);
+    line("a second end", "end", "end\nend", 2);
+    line("a comment after the end", "end", "end\n# that's all", 0);
+    line("an end before the steps", "state", "@\nend", 2);
+    line("a step that differs", "end", "0123456789abcdef\nend", 1);
+    line("no hash of a step", "end", "0123456789abcdeg\nend", 2);
+    line("a wrong line after a step that differs", "end", "0123456789abcdef\ndt 0\nend", 2);
+}
+
+void TestReplayInC::bothReadTheSameFormat() {
+    QFETCH(QByteArray, begin);
+    QFETCH(QByteArray, to);
+    QFETCH(int, status);
+    static const QByteArray good = contentOf(recorded({"--level", "1", "--tilt-x", "3", "--duration", "0.1"}));
+    QByteArray text = to;
+    if (!begin.isEmpty()) {
+        const qsizetype place = good.startsWith(begin) ? 0 : good.indexOf('\n' + begin) + 1;
+        QVERIFY(good.mid(place).startsWith(begin));
+        const qsizetype length = good.indexOf('\n', place) - place;
+        text = good;
+        text.replace(place, length, QByteArray(to).replace("@", good.mid(place, length)));
+    }
+    const QString file = written(text);
+    const Result one = inspector({"--replay", file, "--check"}), other = inC(file);
+    QCOMPARE(one.status, status);
+    QCOMPARE(other.status, status);
+    QCOMPARE(other.messages.count('\n'), status == 2 ? 1 : 0);
 }
 
 void TestReplayInC::whatIsNoRecordingIsRefused_data() {
