@@ -48,7 +48,7 @@ private:
     Vec2 m_slip;              ///< across and along
     Vec2 m_gravity, m_drive;  ///< likewise; what changes the slip beside friction, m/s^2
     double m_rolling;         ///< along: the velocity minus 2/7 of the slip
-    double m_most, m_time;
+    double m_most, m_time = 0.0;
 
     SlipEnd(const Moment &moment, const Rough &rough, const Support &support);
 
