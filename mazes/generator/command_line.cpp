@@ -24,12 +24,13 @@ constexpr OptionRow kSeed = {"--seed", "N", "the maze's number, a whole number b
 constexpr OptionRow kCells = {"--cells", "WxH", "columns x rows, each from 2 to 200; required"};
 constexpr OptionRow kAlgorithm = {"--algorithm", "NAME", "how passages are chosen; default backtracker"};
 constexpr OptionRow kLoops = {"--loops", "FRACTION", "share of inner walls to open besides, from 0 to 1; default 0"};
-constexpr OptionRow kOut = {"--out", "PREFIX", "writes PREFIX.txt .obj .mtl .scad; default maze"};
+constexpr OptionRow kOut = {"--out", "PREFIX",
+                            "writes PREFIX.txt .obj .mtl .scad; its name without white space; default maze"};
 constexpr OptionRow kLevels = {"--levels", "FOLDER", "writes the game's levels there instead"};
 constexpr OptionRow kBall = {"--ball", "FOLDER", "writes the ball's mesh there, ball.obj and ball.mtl"};
 
-constexpr OptionRow kHelp = {"--help", "", "prints this help"};
-constexpr OptionRow kVersion = {"--version", "", "prints the version"};
+constexpr OptionRow kHelp = {"-h, --help", "", "prints this help"};
+constexpr OptionRow kVersion = {"-v, --version", "", "prints the version"};
 
 struct LengthRow {
     std::string_view name;
@@ -41,9 +42,9 @@ struct LengthRow {
 
 constexpr std::array<LengthRow, 5> kLengths = {{
     {"--ball-radius", &Dimensions::ballRadius, kMillimetre / 2, 100 * kMillimetre, "radius of the ball"},
-    {"--pitch", &Dimensions::pitch, 2 * kMillimetre, 1000 * kMillimetre, "from a cell's centre to the next"},
+    {"--pitch", &Dimensions::pitch, 2 * kMillimetre, 1000 * kMillimetre, "of cells, more than a ball and a wall"},
     {"--wall-thickness", &Dimensions::wallThickness, kMillimetre / 2, 500 * kMillimetre, "of inner and outer walls"},
-    {"--wall-height", &Dimensions::wallHeight, kMillimetre, 500 * kMillimetre, "above the floor"},
+    {"--wall-height", &Dimensions::wallHeight, kMillimetre, 500 * kMillimetre, "above the floor, more than the radius"},
     {"--floor-thickness", &Dimensions::floorThickness, kMillimetre / 2, 500 * kMillimetre, "under the ball"},
 }};
 
@@ -59,15 +60,19 @@ bool isMazeOption(std::string_view name) {
 
 using Values = std::map<std::string_view, std::string_view>;
 
-// Names with their values; each known and given once.
+// Names with their values, `--seed 7` or `--seed=7`; each known and given once.
 Values gather(const std::vector<std::string_view> &arguments) {
     Values values;
-    for (std::size_t index = 0; index < arguments.size(); index += 2) {
-        const std::string_view name = arguments[index];
+    for (std::size_t index = 0; index < arguments.size(); ++index) {
+        const std::string_view argument = arguments[index];
+        const std::size_t equals = argument.find('=');
+        const std::string_view name = argument.substr(0, equals);
         if (!isMazeOption(name) && name != kLevels.name && name != kBall.name)
-            throw OptionError("expected an option of mazegen --help, found '" + std::string(name) + "'");
-        if (index + 1 == arguments.size()) throw OptionError(std::string(name) + ": expected a value, found nothing");
-        if (!values.emplace(name, arguments[index + 1]).second)
+            throw OptionError("expected an option of mazegen --help, found '" + std::string(argument) + "'");
+        const bool isSeparate = equals == std::string_view::npos;
+        if (isSeparate && ++index == arguments.size())
+            throw OptionError(std::string(name) + ": expected a value, found nothing");
+        if (!values.emplace(name, isSeparate ? arguments[index] : argument.substr(equals + 1)).second)
             throw OptionError(std::string(name) + ": expected once, found twice");
     }
     return values;
@@ -176,8 +181,8 @@ Command parseCommandLine(const std::vector<std::string_view> &arguments) {
     const auto isGiven = [&](std::string_view name) {
         return std::find(arguments.begin(), arguments.end(), name) != arguments.end();
     };
-    command.help = isGiven("--help");
-    command.version = !command.help && isGiven("--version");
+    command.help = isGiven("--help") || isGiven("-h");
+    command.version = !command.help && (isGiven("--version") || isGiven("-v"));
     if (command.help || command.version) return command;
 
     const Values values = gather(arguments);
@@ -208,7 +213,8 @@ std::string helpText() {
     for (const LengthRow &row : kLengths) appendHelp(row, text);
     for (const OptionRow &row : {kOut, kLevels, kBall}) appendHelp(row, text);
     for (const OptionRow &row : {kHelp, kVersion}) appendHelp(row, text);
-    text += "\nExit status: 0 done, 1 a file could not be written, 2 a wrong option; nothing is written then.\n";
+    text += "\nMETRES and FRACTION have at most six decimals and no exponent; --seed=7 is the same as --seed 7.\n"
+            "Exit status: 0 done, 1 a file could not be written, 2 a wrong option; nothing is written then.\n";
     return text;
 }
 

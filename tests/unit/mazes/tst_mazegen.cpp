@@ -52,6 +52,9 @@ private slots:
     void aFileLimitIsToldAndNothingIsLeft();
     void messagesAreOneLineWhateverIsNamed();
     void helpListsEveryOption();
+    void helpTellsWhatValuesMayBe();
+    void shortNamesAreTaken();
+    void valueMayFollowAnEqualsSign();
     void versionIsThatOfTheProject();
     void filesOfAnotherKindAreNotReplaced();
     void linksAreNotReplaced();
@@ -241,6 +244,28 @@ void TestMazegen::helpListsEveryOption() {
         QVERIFY2(outcome.output.contains(option), option);
     QVERIFY(outcome.output.contains("default 0.036"));
     QCOMPARE(filesIn(folder.path()), QStringList());
+}
+
+/// What only refusals told.
+void TestMazegen::helpTellsWhatValuesMayBe() {
+    QTemporaryDir folder;
+    const QString help = runMazegen(folder.path(), {"--help"}).output;
+    for (const char *rule : {"at most six decimals", "no exponent", "without white space", "more than the radius",
+                             "more than a ball and a wall"})
+        QVERIFY2(help.contains(rule), rule);
+}
+
+void TestMazegen::shortNamesAreTaken() {
+    QTemporaryDir folder;
+    QCOMPARE(runMazegen(folder.path(), {"-h"}).output, runMazegen(folder.path(), {"--help"}).output);
+    QCOMPARE(runMazegen(folder.path(), {"-v"}).output, runMazegen(folder.path(), {"--version"}).output);
+}
+
+void TestMazegen::valueMayFollowAnEqualsSign() {
+    QTemporaryDir folder;
+    QCOMPARE(runMazegen(folder.path(), {"--seed", "7", "--cells", "5x4", "--out", "a"}).status, 0);
+    QCOMPARE(runMazegen(folder.path(), {"--seed=7", "--cells=5x4", "--out=b=c"}).status, 0);
+    QCOMPARE(contentOf(folder.filePath("b=c.txt")), contentOf(folder.filePath("a.txt")));
 }
 
 void TestMazegen::versionIsThatOfTheProject() {
