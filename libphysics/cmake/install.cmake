@@ -49,17 +49,31 @@ if(CMAKE_INSTALL_LIBDIR STREQUAL "lib/${CMAKE_LIBRARY_ARCHITECTURE}")
     endforeach()
 endif()
 
-install(FILES README.md DESTINATION ${physics_document_dir} COMPONENT development)
+# Links of the pages as installed: to where headers and the Python package's page are then; what isn't installed is
+# named only.
+file(RELATIVE_PATH physics_headers_from_pages /prefix/${physics_document_dir} /prefix/${CMAKE_INSTALL_INCLUDEDIR})
+file(GLOB physics_pages RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} README.md docs/*.md)
+foreach(page ${physics_pages})
+    file(READ ${page} text)
+    string(REGEX REPLACE "\\[([^][]*)\\]\\(\\.\\./\\.\\./[^)]*\\)" "\\1" text "${text}")
+    string(REPLACE "](include/" "](${physics_headers_from_pages}/" text "${text}")
+    string(REPLACE "](python/" "](../python3-libphysics/" text "${text}")
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/pages/${page} CONTENT "${text}" @ONLY)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${page})
+endforeach()
 install(DIRECTORY docs examples DESTINATION ${physics_document_dir} COMPONENT development
     PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/pages/ DESTINATION ${physics_document_dir} COMPONENT development)
 install(FILES ${PROJECT_SOURCE_DIR}/mazes/levels/01.txt DESTINATION ${physics_document_dir}/examples
     COMPONENT development)
 
-install(DIRECTORY python/libphysics DESTINATION lib/python3/dist-packages COMPONENT python   # where Debian's Python looks
-    PATTERN __pycache__ EXCLUDE)
-install(FILES python/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-libphysics COMPONENT python)
-install(DIRECTORY python/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-libphysics COMPONENT python
-    USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+if(NOT PHYS_STATIC) # the package loads the shared library
+    install(DIRECTORY python/libphysics DESTINATION lib/python3/dist-packages COMPONENT python   # where Debian's Python looks
+        PATTERN __pycache__ EXCLUDE)
+    install(FILES python/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-libphysics COMPONENT python)
+    install(DIRECTORY python/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-libphysics COMPONENT python
+        USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+endif()
 
 # Licences and changelog as Debian wants them in each package.
 configure_file(cmake/debian/changelog.in ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog @ONLY)

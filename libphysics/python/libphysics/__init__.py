@@ -12,8 +12,17 @@
 
 States are arrays of state_dtype: copy, save, compare and index them as numpy does. Units are SI, energies per mass; the
 frame is the board's own, z up from its floor (docs/model.md of the library). The library is found by PHYSICS_LIBRARY, in
-a build of the source tree, or by the system's loader.
+a build of the source tree, in the prefix of an installation, or by the system's loader.
 """
+try:
+    import numpy as _numpy  # noqa: F401
+except ModuleNotFoundError as _missing:
+    if _missing.name != "numpy":
+        raise
+    import sys as _sys
+    raise ImportError(f"libphysics needs numpy, which {_sys.executable} doesn't have: install it there (Debian: python3-numpy, "
+                      "by the source tree's ./setup --python), or call the python3 that has it") from None
+
 from ._library import PhysicsError, lib as _lib
 from ._params import Params, gravity_from_tilt
 from ._records import (AIRBORNE, AT_REST, EVENT_CONTACT, EVENT_IMPACT, EVENT_LANDING, EVENT_RELEASE, EVENT_ROLL,

@@ -122,14 +122,16 @@ _FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
 
 
 def _library_files() -> list[str]:
-    """Where to look: what PHYSICS_LIBRARY names; the builds of the source tree that this file lies in; the system."""
+    """Where to look: what PHYSICS_LIBRARY names; the builds of the source tree that this file lies in, or lib of the
+    prefix that it is installed in (lib/python3/dist-packages); the system."""
     named = os.environ.get("PHYSICS_LIBRARY")
     if named:
         return [named]
     tree = Path(__file__).resolve().parents[3]
     is_source_tree = (tree / "libphysics" / "python").is_dir()
     builds = [tree / "build" / preset / "libphysics" / "libphysics.so.1" for preset in ("release", "dev")]
-    return [str(file) for file in builds if is_source_tree and file.is_file()] + ["libphysics.so.1"]
+    files = builds if is_source_tree else [tree / "libphysics.so.1"]
+    return [str(file) for file in files if file.is_file()] + ["libphysics.so.1"]
 
 
 def _load() -> ctypes.CDLL:

@@ -119,10 +119,10 @@ class Stepper(Owner):
 
     id: of a built-in stepper or one of the plugin's. plugin: path of a shared object, or a Registry. No result
     depends on earlier steps. Python threads may share it: they take turns; `run` uses threads of its own. It is pickled by
-    its id, scene and plugin's file.
+    its id, scene and plugin's file, whose path is that from the root.
     """
 
-    __slots__ = ("_scene", "_registry", "_handles", "_info", "_turns", "__weakref__")
+    __slots__ = ("_scene", "_registry", "_handles", "_info", "_file", "_turns", "__weakref__")
 
     def __init__(self, id: str, scene: Scene, plugin: str | os.PathLike[str] | Registry | None = None) -> None:
         if not isinstance(scene, Scene):
@@ -133,12 +133,14 @@ class Stepper(Owner):
         self._registry = plugin if isinstance(plugin, Registry) else Registry(*([] if plugin is None else [plugin]))
         self._info, error = StepperInfo(), Error()
         check(lib.phys_registry_find(self._registry._handle, text(id, "id"), byref(self._info), byref(error)), error)
+        file = self._info.file.decode(errors="surrogateescape")
+        self._file = os.path.abspath(file) if file else None  # now: the folder may be another one later
         self._handle(0)
         _all.add(self)
 
     def __reduce__(self) -> Any:
         info = self.info
-        return _remade, (type(self), info.id, self._scene, info.file or None), getattr(self, "__dict__", None)
+        return _remade, (type(self), info.id, self._scene, self._file), getattr(self, "__dict__", None)
 
     def _after_fork(self) -> None:
         """A lock that another thread held is never released in the child, where that thread isn't; what its call was doing

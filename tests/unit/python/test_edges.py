@@ -84,7 +84,7 @@ class PiecesTest(unittest.TestCase):
     def test_balls_that_are_done_end_the_run(self):
         scene = lp.Scene(boxes=[FLOOR], radius=0.125)
         stepper = lp.Stepper("swept", scene)
-        run = stepper.run(scene.start(2), stepper.params(), 0.01, 2**63, gravity=(2, 0, -9.75), stop=lp.OUT)
+        run = stepper.run(scene.start(2), stepper.params(), 0.01, 2**53, gravity=(2, 0, -9.75), stop=lp.OUT)
         self.assertTrue((run.states["flags"] & lp.OUT).all())
 
     def test_a_signal_ends_a_run(self):
@@ -97,7 +97,7 @@ class PiecesTest(unittest.TestCase):
             timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
             timer.start()
             with self.assertRaises(KeyboardInterrupt):
-                self.stepper.run(self.scene.start(2), self.stepper.params(), 0.01, 2**60, threads=threads)
+                self.stepper.run(self.scene.start(2), self.stepper.params(), 0.01, 2**53, threads=threads)
             timer.join()
         self.stepper.run(self.scene.start(2), self.stepper.params(), 0.01, 5).check()
 

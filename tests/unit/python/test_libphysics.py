@@ -304,7 +304,8 @@ class RunTest(unittest.TestCase):
         counter = threading.Thread(target=count)
         counter.start()
         before = ticks[0]
-        self.stepper.run(self.scene.start(200), self.stepper.params(), 0.01, 2000, tally=True)  # which computes each step
+        params = self.stepper.params(restitution_wall=1.0, rolling_friction=0.0)  # no ball rests
+        self.stepper.run(self.scene.start(200), params, 0.01, 2000, gravity=(1, 0.5, -9.75), tally=True)
         after = ticks[0]
         over.set()
         counter.join()
@@ -393,6 +394,14 @@ class CopyTest(unittest.TestCase):
         del stepper
         for other in others:
             self.assertEqual(other.step(room().start(), params, 0.25).state.tobytes(), expected)
+
+    def test_pickled_stepper_finds_its_plugin_from_another_folder(self):
+        folder, name = os.path.split(PLUGIN)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(folder)
+        pickled = pickle.dumps(lp.Stepper("adaptive-drag", room(), plugin="./" + name))
+        os.chdir("/")
+        self.assertTrue(os.path.samefile(pickle.loads(pickled).info.file, PLUGIN))
 
     def test_registry_is_shared_but_stays_in_its_process(self):
         registry = lp.Registry(PLUGIN)
