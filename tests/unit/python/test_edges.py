@@ -304,6 +304,15 @@ class SubclassTest(unittest.TestCase):
         mishap = pickle.loads(pickle.dumps(Mishap()))
         self.assertEqual((type(mishap), mishap.status, str(mishap)), (Mishap, -3, "mishap"))
 
+    def test_pickled_stepper_finds_its_plugin_from_another_folder(self):
+        plugin = os.environ["PLUGIN"]
+        folder, name = os.path.split(plugin)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(folder)
+        pickled = pickle.dumps(lp.Stepper("adaptive-drag", lp.Scene(LEVEL), plugin="./" + name))
+        os.chdir("/")
+        self.assertTrue(os.path.samefile(pickle.loads(pickled).info.file, plugin))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -395,14 +395,6 @@ class CopyTest(unittest.TestCase):
         for other in others:
             self.assertEqual(other.step(room().start(), params, 0.25).state.tobytes(), expected)
 
-    def test_pickled_stepper_finds_its_plugin_from_another_folder(self):
-        folder, name = os.path.split(PLUGIN)
-        self.addCleanup(os.chdir, os.getcwd())
-        os.chdir(folder)
-        pickled = pickle.dumps(lp.Stepper("adaptive-drag", room(), plugin="./" + name))
-        os.chdir("/")
-        self.assertTrue(os.path.samefile(pickle.loads(pickled).info.file, PLUGIN))
-
     def test_registry_is_shared_but_stays_in_its_process(self):
         registry = lp.Registry(PLUGIN)
         others = self.copies(registry)
