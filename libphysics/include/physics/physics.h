@@ -23,8 +23,9 @@
  *  - A function that can fail returns a phys_status: PHYS_OK or a negative code. On failure every output is untouched,
  *    but for the contents of an event buffer.
  *  - `err` may be NULL. On failure it receives one line: what is wrong, which value, what is allowed. On success it is
- *    untouched. The *_init functions and some others have no `err`: their status and the ranges stated with them
- * suffice.
+ *    untouched. Without `err` are *_init, *_init_params, phys_gravity_from_tilt, phys_gravities_from_tilts,
+ *    phys_scene_bounds, phys_scene_contacts, phys_scene_start, phys_energy and phys_registry_info: they fail only for a
+ *    NULL, or for a value that isn't in the range stated with them.
  *  - Pointers must not be NULL unless the text says "or NULL". A NULL is reported as PHYS_ERROR_ARGUMENT.
  *  - Structs marked frozen never change. Appendable structs start with their size, get new members only at their end,
  *    and are filled by their *_init function. If an older program passes a shorter struct, the missing members have
@@ -157,7 +158,8 @@ typedef struct phys_scene_desc {
 PHYS_API phys_status phys_scene_desc_init(phys_scene_desc *desc, size_t size);
 
 /** Makes a scene from a description: checks it, merges flush boxes, classifies floor and walls, builds the grid.
- *  The floor is what lies under the ball at its start: all boxes whose top is in that plane. Any thread.
+ *  The floor is what lies under the ball at its start: all boxes whose top is in that plane. A start beside all boxes
+ *  is valid, too: such a scene has no floor, and the ball falls. Any thread.
  *  While it works it needs at most 1 MB plus 400 bytes per box, and a time of order n log n for n boxes.
  *  Errors: ARGUMENT, SCENE, MEMORY. Free it with phys_scene_destroy. Since 1.0. */
 PHYS_API phys_status phys_scene_create(const phys_scene_desc *desc, phys_scene **out, phys_error *err);
