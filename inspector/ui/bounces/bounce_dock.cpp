@@ -30,7 +30,7 @@ namespace inspector::ui {
 namespace {
 
 constexpr size_t kMarks = 20;
-constexpr int kNarrow = 520; ///< logical pixels
+constexpr int kNarrow = 37; ///< lines of text
 
 /// Turns references to sections of the model page into links.
 QString withLinks(QString escaped) {

@@ -11,7 +11,7 @@ namespace inspector::ui {
 /// Places its parts beside each other where it is wide enough for them, otherwise above each other.
 class TurningSplitter : public QSplitter {
 public:
-    /// narrow: below this width, logical pixels, they are above each other. wide, tall: shares of the parts then.
+    /// narrow: below this width, lines of text, they are above each other. wide, tall: shares of the parts then.
     TurningSplitter(int narrow, QList<int> wide, QList<int> tall)
         : m_narrow(narrow)
         , m_wide(std::move(wide))
@@ -21,7 +21,7 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent *event) override {
-        const Qt::Orientation wanted = width() < m_narrow ? Qt::Vertical : Qt::Horizontal;
+        const Qt::Orientation wanted = width() < m_narrow * fontMetrics().height() ? Qt::Vertical : Qt::Horizontal;
         const bool isTurned = !std::exchange(m_isLaidOut, true) || wanted != orientation();
         setOrientation(wanted);
         if (isTurned) setSizes(wanted == Qt::Vertical ? m_tall : m_wide);

@@ -51,7 +51,10 @@ void AxisLabels::takeLook() {
 /// Labels of value axes become transparent, so that stacked charts remain aligned.
 void AxisLabels::fit(int height, const QString &keys, bool isLowest) {
     const bool isLow = height < lines(kLowLines);
-    m_chart.xAxis->setLabel(isLow ? QString() : keys);
+    const QMargins margins = m_chart.axisRect()->margins();
+    const int width = m_chart.width() - margins.left() - margins.right();
+    const bool isNarrow = m_chart.fontMetrics().horizontalAdvance(keys) > width;
+    m_chart.xAxis->setLabel(isLow || isNarrow ? QString() : keys);
     m_chart.xAxis->setTickLabels(isLowest || !isLow);
     fitMargins(isLow);
     const int above = m_chart.legend->minimumOuterSizeHint().height();

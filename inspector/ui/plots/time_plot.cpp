@@ -91,8 +91,8 @@ void TimePlot::layOutLegend() {
 
 /// In a small plot the legend takes less of it.
 void TimePlot::fitLegend() {
-    constexpr int kSmall = 320; // pixels
-    const bool isSmall = width() < kSmall;
+    constexpr int kSmall = 23; // lines of text
+    const bool isSmall = width() < kSmall * fontMetrics().height();
     legend->setIconSize(isSmall ? QSize(14, 14) : QSize(32, 18));
     legend->setColumnSpacing(isSmall ? 8 : 18);
     legend->setRowSpacing(isSmall ? 0 : 3);

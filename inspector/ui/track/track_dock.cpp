@@ -95,8 +95,8 @@ void TrackDock::arrange(Qt::Orientation orientation) {
 
 void TrackDock::resizeEvent(QResizeEvent *event) {
     QWidget::resizeEvent(event);
-    constexpr int kNarrow = 620; // logical pixels
-    const Qt::Orientation wanted = width() < kNarrow ? Qt::Vertical : Qt::Horizontal;
+    constexpr int kNarrow = 44; // lines of text
+    const Qt::Orientation wanted = width() < kNarrow * fontMetrics().height() ? Qt::Vertical : Qt::Horizontal;
     if (m_results->orientation() != wanted) arrange(wanted);
 }
 

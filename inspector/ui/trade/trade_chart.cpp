@@ -16,7 +16,7 @@ namespace inspector::ui {
 namespace {
 
 constexpr double kPickingReach = 12.0; ///< pixels
-constexpr int kWide = 620;             ///< logical pixels: here the legend has room beside the curves
+constexpr int kWide = 44;              ///< lines of text: here the legend has room beside the curves
 
 /// The range of the values with a margin.
 QCPRange rangeOf(const std::vector<double> &values) {
@@ -87,7 +87,7 @@ TradeChart::TradeChart(QWidget *parent)
 /// where neither has any; the points' tool tips have the names.
 void TradeChart::arrange() {
     wrapTitle();
-    const bool isBeside = width() >= kWide;
+    const bool isBeside = width() >= kWide * fontMetrics().height();
     wrapLegend(isBeside);
     const bool hasRoom = isBeside || hasRoomBelow();
     legend->setVisible(hasRoom && !m_description.points().empty()); // without curves there is nothing to name

@@ -48,7 +48,7 @@ constexpr int kPerDecade = 20;
 constexpr int kFinestTolerance = -6 * kPerDecade;
 constexpr int kCoarsestTolerance = 2 * kPerDecade;
 constexpr int kChartPeriod = 200; ///< ms
-constexpr int kNarrowTrade = 560; ///< logical pixels
+constexpr int kNarrowTrade = 40;  ///< lines of text
 
 template<typename Widget>
 Widget *named(Widget *widget, const char *name) {

@@ -41,6 +41,7 @@ TransportBar::TransportBar(Session &session, QUndoStack &undo, const QList<QActi
     m_timeStep->setDisabled(session.isReplaying());
     showPace();
     showStepper();
+    fitStepper();
 }
 
 QComboBox *TransportBar::addChooser(const QString &label, const char *name, const QString &tip) {
@@ -71,7 +72,10 @@ void TransportBar::addSpeeds() {
 void TransportBar::addSteppers() {
     m_stepper = addChooser(tr("Stepper"), "stepper", tr("How a step is computed."));
     addStepperItems(*m_stepper, m_session.registry());
-    connect(&m_session, &Session::steppersAdded, this, [this] { addStepperItems(*m_stepper, m_session.registry()); });
+    connect(&m_session, &Session::steppersAdded, this, [this] {
+        addStepperItems(*m_stepper, m_session.registry());
+        fitStepper();
+    });
     connect(m_stepper, &QComboBox::activated, this, [this](int index) {
         const Stepping wanted{m_stepper->itemData(index).toByteArray(), m_session.dt(), {}};
         changeStepping(m_session, m_undo, wanted, tr("choice of %1").arg(m_stepper->itemText(index)));
@@ -98,6 +102,7 @@ void TransportBar::addTimeSteps() {
     m_timeStep->setFocusPolicy(Qt::StrongFocus);
     m_timeStep->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_timeStep->setMinimumContentsLength(9);
+    m_timeStep->setMinimumWidth(m_timeStep->minimumSizeHint().width() / 2);
     connect(m_timeStep, &QComboBox::activated, this,
             [this](int index) { changeTimeStep(m_timeStep->itemData(index).toDouble()); });
     connect(m_typedTimeStep, &NumberBox::entered, this, &TransportBar::changeTimeStep);
@@ -124,6 +129,15 @@ void TransportBar::showPace() {
     showSpeed();
     m_timeStep->setCurrentIndex(m_timeStep->findData(m_session.dt()));
     m_typedTimeStep->setValue(m_session.dt());
+}
+
+/// A bar that is too short takes room from the other choosers: a stepper's name says more than its beginning.
+void TransportBar::fitStepper() { m_stepper->setMinimumWidth(m_stepper->sizeHint().width()); }
+
+void TransportBar::changeEvent(QEvent *event) {
+    QToolBar::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &TransportBar::fitStepper, Qt::QueuedConnection);
 }
 
 void TransportBar::showStepper() { m_stepper->setCurrentIndex(m_stepper->findData(m_session.stepperId())); }

@@ -20,6 +20,9 @@ public:
     /// playback: the window's actions, shown first. session and undo must outlive the bar.
     TransportBar(Session &session, QUndoStack &undo, const QList<QAction *> &playback, QWidget *parent = nullptr);
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
     QComboBox *addChooser(const QString &label, const char *name, const QString &tip);
     void addSpeeds();
@@ -29,6 +32,7 @@ private:
     void showSpeed();
     void showPace();
     void showStepper();
+    void fitStepper();
 
     Session &m_session;
     QUndoStack &m_undo;

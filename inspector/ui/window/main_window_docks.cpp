@@ -46,7 +46,7 @@ constexpr double kSideShare = 0.42; ///< of the window's width, at most, for the
 constexpr double kComparisonShare = 0.34;
 constexpr double kBouncesShare = 0.42;
 constexpr double kBouncesWidth = 0.36; ///< share of the window's width, next to the plots
-constexpr int kRoomBesidePlots = 1000; ///< logical pixels of the window's width, else the bounces are tabbed with them
+constexpr int kRoomBesidePlots = 71;   ///< lines of text of the window's width, else the bounces are tabbed with them
 
 } // namespace
 
@@ -210,7 +210,7 @@ void MainWindow::showDock(QDockWidget &dock, double share) {
     }
     const bool isBounces = dock.objectName() == QLatin1String(kBouncesDock);
     auto *plots = findChild<QDockWidget *>(QLatin1String(kPlotsDock));
-    const bool hasRoomBeside = width() >= kRoomBesidePlots;
+    const bool hasRoomBeside = width() >= kRoomBesidePlots * fontMetrics().height();
     if (isResized && isBounces && !hasRoomBeside) tabifyDockWidget(plots, &dock);
     dock.show();
     dock.raise();

@@ -181,6 +181,7 @@ void TestWindowAccess::restOfTheToolbarIsSeen_data() {
 void TestWindowAccess::restOfTheToolbarIsSeen() {
     QFETCH(Theme, theme);
     chooseTheme(theme);
+    m_fixture->trigger("text_size_3");
     m_fixture->window().resize(640, 500);
     auto *rest = m_fixture->find<QToolButton>("qt_toolbar_ext_button");
     QTRY_VERIFY(rest->isVisible());

@@ -51,6 +51,8 @@ private slots:
     void legendIsWholeInANarrowPlot();
     void legendOfANarrowComparisonIsOneLine();
     void largerTextLeavesNumbersWhole();
+    void doubleTextLeavesTheChoosersWhole();
+    void doubleTextPutsBouncesBehindThePlots();
     void titlesOfDocksFollowTheTextSize();
     void rowsOfListsAreHigherThanTheirText();
     void legendOfALowPlotIsWhole();
@@ -338,6 +340,28 @@ void TestWindowSmall::largerTextLeavesNumbersWhole() {
     QTRY_VERIFY2(isWhole(), qPrintable(QString::number(box->width())));
     m_fixture->trigger("text_size_0");
     QTRY_COMPARE(box->fontMetrics().height(), before);
+}
+
+// On a projector of 1024 x 768.
+void TestWindowSmall::doubleTextLeavesTheChoosersWhole() {
+    m_fixture->trigger("text_size_3");
+    m_fixture->window().resize(1022, 700);
+    const auto *stepper = m_fixture->find<QComboBox>("stepper");
+    const auto *timeStep = m_fixture->find<QLineEdit>("time_step_box");
+    QTRY_COMPARE(m_fixture->window().width(), 1022);
+    QTRY_VERIFY2(stepper->isVisible() && stepper->width() >= stepper->sizeHint().width(),
+                 qPrintable(QStringLiteral("%1 of %2").arg(stepper->width()).arg(stepper->sizeHint().width())));
+    QVERIFY(timeStep->isVisible()); // in the bar, not behind its arrow
+    QVERIFY2(timeStep->width() > timeStep->fontMetrics().horizontalAdvance(timeStep->text()),
+             qPrintable(QString::number(timeStep->width())));
+}
+
+void TestWindowSmall::doubleTextPutsBouncesBehindThePlots() {
+    m_fixture->trigger("text_size_3");
+    QApplication::processEvents();
+    m_fixture->press(Qt::Key_6, Qt::ControlModifier);
+    QTRY_VERIFY(!m_fixture->find<QWidget>("bounces")->visibleRegion().isEmpty());
+    QVERIFY(m_fixture->find<QWidget>("velocity_plot")->visibleRegion().isEmpty());
 }
 
 void TestWindowSmall::titlesOfDocksFollowTheTextSize() {
