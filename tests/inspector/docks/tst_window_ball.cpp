@@ -15,15 +15,11 @@
 using namespace window_test;
 using inspector::ui::NumberBox;
 
-class TestWindowBall : public QObject {
+class TestWindowBall : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void recordedBallSaysWhenItCanBeSet();
     void draggedBallIsWhereTheMouseIs();
     void ballDraggedIntoAWallStaysOutside();
@@ -68,20 +64,13 @@ private:
     void dragBall(double dx, double dy, Qt::KeyboardModifiers modifiers = {});
     void placeBall(double dx, double dy, Qt::KeyboardModifiers modifiers = {});
     QString noteAt(const QString &x);
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 namespace {
 uint64_t hashOf(const phys_state &state) { return phys_state_hash(&state); }
 } // namespace
 
-void TestWindowBall::init() {
-    m_fixture = std::make_unique<Fixture>(1, solidIn({"draggedBallIsWhereTheMouseIs"}));
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowBall::cleanup() { m_fixture.reset(); }
+void TestWindowBall::init() { QVERIFY(open(1, solidIn({"draggedBallIsWhereTheMouseIs"}))); }
 
 // Drags by this many metres on the board.
 void TestWindowBall::dragBall(double dx, double dy, Qt::KeyboardModifiers modifiers) {

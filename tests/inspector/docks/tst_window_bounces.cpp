@@ -24,15 +24,11 @@
 using namespace window_test;
 using inspector::LoggedEvent;
 
-class TestWindowBounces : public QObject {
+class TestWindowBounces : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void everyEntryOfTheLogIsARow();
     void clickOnAMarkSelectsItsRow();
     void clickOnAMarkShowsTheDock();
@@ -76,22 +72,17 @@ private:
     int rows() const { return m_table->model()->rowCount(); }
     void showDock();
 
-    std::unique_ptr<Fixture> m_fixture;
     inspector::gl::MazeView *m_view = nullptr;
     inspector::ui::BounceDock *m_bounces = nullptr;
     QTableView *m_table = nullptr;
 };
 
 void TestWindowBounces::init() {
-    m_fixture = std::make_unique<Fixture>(
-        3, solidIn({"clickOnARowSelectsItsMark", "markBehindAWallIsNotClicked", "marksGoAndComeByTheirKey"}));
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open(3, solidIn({"clickOnARowSelectsItsMark", "markBehindAWallIsNotClicked", "marksGoAndComeByTheirKey"})));
     m_view = &m_fixture->window().view();
     m_bounces = m_fixture->find<inspector::ui::BounceDock>("bounces");
     m_table = m_fixture->find<QTableView>("bounces_table");
 }
-
-void TestWindowBounces::cleanup() { m_fixture.reset(); }
 
 // Stepped manually, so that every run has the same bounces.
 void TestWindowBounces::makeSteps(int count) {

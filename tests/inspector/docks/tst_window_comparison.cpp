@@ -29,15 +29,11 @@ using inspector::GhostChoice;
 using inspector::Sample;
 using inspector::Snapshot;
 
-class TestWindowComparison : public QObject {
+class TestWindowComparison : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void cSwitchesTheComparison();
     void boxInTheDockSwitchesTheComparison();
     void chosenStepperMovesTheGhost();
@@ -82,14 +78,12 @@ private:
     QCPGraph *bandGraph(); // its upper edge, which the legend names; null: there is none
     bool showsBandUntil(double time);
 
-    std::unique_ptr<Fixture> m_fixture;
     inspector::ui::DistancePlot *m_plot = nullptr;
 };
 
 // Stepped manually: the same in every run.
 void TestWindowComparison::init() {
-    m_fixture = std::make_unique<Fixture>(3, solidIn({"ghostIsDrawnWhereItIs", "ghostOnTheBallIsHidden"}));
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open(3, solidIn({"ghostIsDrawnWhereItIs", "ghostOnTheBallIsHidden"})));
     m_plot = m_fixture->find<inspector::ui::DistancePlot>("distance_plot");
     m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});
     m_fixture->press(Qt::Key_5, Qt::ControlModifier);
@@ -98,8 +92,6 @@ void TestWindowComparison::init() {
     QTRY_VERIFY(dock->height() >
                 0.3 * m_fixture->window().height()); // higher than the plot's: pictures are of one size
 }
-
-void TestWindowComparison::cleanup() { m_fixture.reset(); }
 
 void TestWindowComparison::compareWith(const GhostChoice &ghostChoice) {
     m_fixture->session().comparison().start(ghostChoice);

@@ -52,15 +52,10 @@ void addDocks(Predicate isOneOfThose) {
 }
 } // namespace
 
-class TestWindowDocks : public QObject {
+class TestWindowDocks : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
     void dockClosesByItsButtonAndReopensByTheMenu_data();
     void dockClosesByItsButtonAndReopensByTheMenu();
     void keyOpensADockAndGivesItTheKeyboard_data();
@@ -105,16 +100,7 @@ private slots:
 
 private:
     void chooseIn(const QString &chooser, int index);
-
-    std::unique_ptr<Fixture> m_fixture;
 };
-
-void TestWindowDocks::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowDocks::cleanup() { m_fixture.reset(); }
 
 // As with the keyboard: Home, then down.
 void TestWindowDocks::chooseIn(const QString &chooser, int index) {

@@ -17,15 +17,11 @@
 using namespace window_test;
 using inspector::ui::NumberBox;
 
-class TestWindowGhost : public QObject {
+class TestWindowGhost : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void keyGivesTheGhostSlidersOfItsOwn();
     void switchInEitherDockDoesTheSame();
     void typedNumberMovesTheGhostAlone();
@@ -51,18 +47,13 @@ private:
     double distance();
     void type(const QString &box, const QString &text);
     void switchOn();
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 void TestWindowGhost::init() {
-    m_fixture = std::make_unique<Fixture>(3);
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open(3));
     m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});
     comparison().setGhostChoice({"symplectic-euler", 1}); // only parameters differ
 }
-
-void TestWindowGhost::cleanup() { m_fixture.reset(); }
 
 double TestWindowGhost::distance() {
     const inspector::Snapshot now = m_fixture->simulation().latest();

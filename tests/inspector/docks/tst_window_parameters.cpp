@@ -21,15 +21,10 @@
 using namespace window_test;
 using inspector::ui::NumberBox;
 
-class TestWindowParameters : public QObject {
+class TestWindowParameters : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
     void draggedSliderReachesTheSimulation_data();
     void draggedSliderReachesTheSimulation();
     void typedNumberReachesTheSimulation_data();
@@ -59,8 +54,6 @@ private slots:
 private:
     void chooseRigid();
     void addNumberRows();
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 namespace {
@@ -89,13 +82,6 @@ void type(NumberBox *box, const QString &text) {
 }
 
 } // namespace
-
-void TestWindowParameters::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowParameters::cleanup() { m_fixture.reset(); }
 
 void TestWindowParameters::chooseRigid() {
     auto *model = m_fixture->find<QComboBox>("model_choice");

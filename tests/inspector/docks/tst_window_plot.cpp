@@ -26,15 +26,11 @@ using namespace window_test;
 using inspector::Channel;
 using inspector::Sample;
 
-class TestWindowPlot : public QObject {
+class TestWindowPlot : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void curvesAreTheRingsSamples();
     void axesAndLegendSayWhatIsShown();
     void followsTheNewestSample();
@@ -95,19 +91,15 @@ private:
     QString readOut() const { return readOutOf(m_plot); }
     QPoint middle() const { return m_plot->axisRect()->rect().center(); }
 
-    std::unique_ptr<Fixture> m_fixture;
     inspector::ui::QuantityPlot *m_plot = nullptr;
 };
 
 void TestWindowPlot::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open());
     m_plot = m_fixture->find<inspector::ui::QuantityPlot>("velocity_plot");
     inspector::Parameters &parameters = m_fixture->parameters();
     parameters.set(parameters.indexOf("tilt_y"), 5.0); // so that there is something to see
 }
-
-void TestWindowPlot::cleanup() { m_fixture.reset(); }
 
 // By hand: the same samples in every run.
 void TestWindowPlot::makeSteps(uint64_t count) {

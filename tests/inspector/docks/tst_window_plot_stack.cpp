@@ -12,15 +12,11 @@
 using namespace window_test;
 using inspector::ui::QuantityPlot;
 
-class TestWindowPlotStack : public QObject {
+class TestWindowPlotStack : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void manyPlotsDontEnlargeTheWindow();
     void addedPlotIsScrolledIntoView();
     void plotScrolledAwayIsSavedWithTheOthers();
@@ -44,18 +40,14 @@ private:
     // Drags the border between the board and the plots.
     void makeDockLow();
     static QRectF unitOf(const QuantityPlot &plot);
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 void TestWindowPlotStack::init() {
-    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(open());
     m_fixture->window().resize(1000, 700);
-    QVERIFY(m_fixture->isReady());
+    draw(); // after which docks aren't fitted to the window any more
     m_fixture->makeSteps(50);
 }
-
-void TestWindowPlotStack::cleanup() { m_fixture.reset(); }
 
 QList<QuantityPlot *> TestWindowPlotStack::plots() {
     QList<QuantityPlot *> result;

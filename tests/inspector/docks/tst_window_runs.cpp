@@ -25,15 +25,11 @@
 using namespace window_test;
 using inspector::ui::MessageBar;
 
-class TestWindowRuns : public QObject {
+class TestWindowRuns : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void runWhoseBeginningIsGoneSaysSo();
     void runThatContinuesAnotherSaysWhereThatIs();
     void recordingOfARunTakenOverSaysWhereItBegins();
@@ -77,19 +73,14 @@ private:
     void tick(int row);
     void typeGravity(const QString &text);
     QByteArray textBesideTable();
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 void TestWindowRuns::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open());
     m_fixture->trigger("show_runs_dock");
     m_fixture->makeSteps(30);
     m_fixture->window().refresh();
 }
-
-void TestWindowRuns::cleanup() { m_fixture.reset(); }
 
 // In the list of runs, newest first.
 QString TestWindowRuns::resultOf(int row) {

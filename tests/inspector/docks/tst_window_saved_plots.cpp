@@ -13,15 +13,11 @@
 using namespace window_test;
 using inspector::ui::PlotStack;
 
-class TestWindowSavedPlots : public QObject {
+class TestWindowSavedPlots : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void pictureHasNoHint_data();
     void pictureHasNoHint();
     void documentHasAllPlots();
@@ -31,8 +27,6 @@ private slots:
 private:
     PlotStack &plots() { return *m_fixture->find<PlotStack>("plots"); }
     QString save(const QString &name);
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 namespace {
@@ -53,13 +47,10 @@ QByteArray drawingOf(const QByteArray &pdf) {
 } // namespace
 
 void TestWindowSavedPlots::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open());
     m_fixture->makeSteps(20);
     m_fixture->window().refresh();
 }
-
-void TestWindowSavedPlots::cleanup() { m_fixture.reset(); }
 
 QString TestWindowSavedPlots::save(const QString &name) {
     m_fixture->key(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);

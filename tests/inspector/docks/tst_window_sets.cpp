@@ -19,15 +19,10 @@
 using namespace window_test;
 using inspector::ui::plainText;
 
-class TestWindowSets : public QObject {
+class TestWindowSets : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
     void knownSetIsChosenByKeyboardAndUndone();
     void tipSaysValuesAndSources();
     void savedSetComesBackWithTheNextWindow();
@@ -56,16 +51,7 @@ private:
     static QAbstractButton *saveButton(const QInputDialog &dialog);
     void save(const QString &name);
     void refuseInRecording();
-
-    std::unique_ptr<Fixture> m_fixture;
 };
-
-void TestWindowSets::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowSets::cleanup() { m_fixture.reset(); }
 
 // As a click on the button opens it; it stays open until something is chosen.
 QMenu *TestWindowSets::menu() {

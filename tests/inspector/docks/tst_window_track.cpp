@@ -23,15 +23,11 @@
 using namespace window_test;
 using namespace inspector;
 
-class TestWindowTrack : public QObject {
+class TestWindowTrack : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup() { m_fixture.reset(); }
+    void init() override;
     void openedTrackIsABallAndATrail();
     void trailStaysWhereItWasMeasuredWhenTheBallFalls();
     void droppedTableIsLaidOverTheRun();
@@ -64,14 +60,12 @@ private:
     gl::Frame frame() { return ui::currentFrame(m_fixture->session()); }
     QPushButton &follow() { return *m_fixture->find<QPushButton>("track_follow"); }
 
-    std::unique_ptr<Fixture> m_fixture;
     Track m_track;
 };
 
 // 2 s of a ball without noise, from the start of the level.
 void TestWindowTrack::init() {
-    m_fixture = std::make_unique<Fixture>(3);
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open(3));
     const BoardParameters board{initialInputs().params, 9.81, {}, 0.0, {}};
     m_track = support::makeTrack(m_fixture->session().registry(), m_fixture->session().scene(), board,
                                  {.duration = 2.0, .rate = 100.0, .noise = 0.0});

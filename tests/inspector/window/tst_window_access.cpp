@@ -18,15 +18,11 @@
 using namespace window_test;
 using inspector::ui::Theme;
 
-class TestWindowAccess : public QObject {
+class TestWindowAccess : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void cleanup() override;
     void whatTakesTheKeyboardHasANameToBeRead();
     void dialogsHaveNamesToBeRead_data();
     void dialogsHaveNamesToBeRead();
@@ -45,14 +41,7 @@ private:
     void chooseTextSize(int number) { m_fixture->trigger(QStringLiteral("text_size_%1").arg(number)); }
     void chooseTheme(Theme theme);
     static QStringList namelessIn(const QWidget &window);
-
-    std::unique_ptr<Fixture> m_fixture;
 };
-
-void TestWindowAccess::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
 
 void TestWindowAccess::cleanup() {
     inspector::ui::applyTextScale(1.0);

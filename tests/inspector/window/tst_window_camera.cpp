@@ -14,15 +14,11 @@
 
 using namespace window_test;
 
-class TestWindowCamera : public QObject {
+class TestWindowCamera : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void fKeepsTheBallInTheMiddle();
     void showingEverythingEndsFollowing();
     void followedBallIsNearerBy();
@@ -39,16 +35,9 @@ private:
     phys_state ball() { return m_fixture->simulation().latest().current; }
     QPointF pixelOf(double x, double y, double z) { return view().positionOf({x, y, z}); }
     void openMaze(const QByteArray &text);
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
-void TestWindowCamera::init() {
-    m_fixture = std::make_unique<Fixture>(3, inspector::gl::Drawing::Solid);
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowCamera::cleanup() { m_fixture.reset(); }
+void TestWindowCamera::init() { QVERIFY(open(3, inspector::gl::Drawing::Solid)); }
 
 void TestWindowCamera::openMaze(const QByteArray &text) {
     QFile file(m_fixture->path("own.txt"));

@@ -17,15 +17,10 @@
 using namespace window_test;
 using inspector::Game;
 
-class TestWindowEndings : public QObject {
+class TestWindowEndings : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
     void fallThroughTheBoardIsNoWin_data();
     void fallThroughTheBoardIsNoWin();
     void lostGameBeginsAgain();
@@ -44,8 +39,6 @@ private:
     QString strip(); // all of its text
     void playToTheRight(const char *said);
     void winByAutopilot();
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 namespace {
@@ -63,13 +56,6 @@ QByteArray headWithStart(const char *place) {
 }
 
 } // namespace
-
-void TestWindowEndings::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowEndings::cleanup() { m_fixture.reset(); }
 
 void TestWindowEndings::drop(const QByteArray &maze) {
     QFile file(m_fixture->path("mine.txt"));

@@ -29,15 +29,10 @@
 
 using namespace window_test;
 
-class TestWindowFiles : public QObject {
+class TestWindowFiles : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
     void droppedMazeIsARecentOne();
     void droppedFileIsNotMoved();
     void recentFileThatIsGoneIsForgotten();
@@ -80,8 +75,6 @@ private:
     uint32_t boxes() { return phys_scene_box_count(m_fixture->session().scene().get()); }
     QString strip(); // all of its text
     QString line() { return m_fixture->window().messages().line(); }
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 namespace {
@@ -90,13 +83,6 @@ const QByteArray kRoom = "box -0.1 -0.1 0 -0.09 0.1 0.02\nbox 0.09 -0.1 0 0.1 0.
                          "box -0.1 -0.1 0 0.1 -0.09 0.02\nbox -0.1 0.09 0 0.1 0.1 0.02\n";
 const QByteArray kWall = "box 0.05 -0.1 0 0.06 0.1 0.02\n";
 } // namespace
-
-void TestWindowFiles::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowFiles::cleanup() { m_fixture.reset(); }
 
 void TestWindowFiles::write(const QString &path, const QByteArray &bytes) {
     QFile file(path);

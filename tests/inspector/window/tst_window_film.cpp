@@ -19,15 +19,12 @@
 using namespace window_test;
 using inspector::ui::NumberBox;
 
-class TestWindowFilm : public QObject {
+class TestWindowFilm : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
+    void cleanup() override;
     void escGivesBackAChangedNumberThenLeaves();
     void enterTakesAChangedNumberThenSaves();
     void numberTypedFirstTakesTheUsualOnesPlace();
@@ -56,7 +53,6 @@ private:
     QStringList picturesIn(const QString &folder) { return QDir(folder).entryList({"*.png"}, QDir::Files, QDir::Name); }
     bool isOver() { return !m_fixture->window().findChild<QProgressDialog *>("film_progress"); }
 
-    std::unique_ptr<Fixture> m_fixture;
     const QByteArray m_path = qgetenv("PATH");
 };
 

@@ -12,15 +12,11 @@
 
 using namespace window_test;
 
-class TestWindowFlat : public QObject {
+class TestWindowFlat : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void ballIsDrawnWhereItIs();
     void wallIsDarkerThanTheFloor();
     void boardTiltsInThePicture();
@@ -38,17 +34,12 @@ private:
     phys_state ball() { return m_fixture->simulation().latest().current; }
     QPoint pixelOf(const phys_vec3 &point) { return view().positionOf({point.x, point.y, point.z}).toPoint(); }
     QColor colourAt(const QPoint &pixel) { return view().grabFramebuffer().pixelColor(pixel); }
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 void TestWindowFlat::init() {
-    m_fixture = std::make_unique<Fixture>(3);
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open(3));
     QCOMPARE(view().rendererName(), QString("QPainter, from above"));
 }
-
-void TestWindowFlat::cleanup() { m_fixture.reset(); }
 
 // Red or grey rather than the colour of wood: a red spot is as likely as the grey between.
 void TestWindowFlat::ballIsDrawnWhereItIs() {

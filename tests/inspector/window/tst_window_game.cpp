@@ -20,15 +20,10 @@
 using namespace window_test;
 using inspector::Game;
 
-class TestWindowGame : public QObject {
+class TestWindowGame : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
     void promptIsShownAtTheStart();
     void clockIsShownWhilePlaying();
     void pauseIsSaid();
@@ -72,16 +67,7 @@ private:
     void openOwnLevels(const QTemporaryDir &folder);
     void leaveByHand();
     bool isOneMoment();
-
-    std::unique_ptr<Fixture> m_fixture;
 };
-
-void TestWindowGame::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowGame::cleanup() { m_fixture.reset(); }
 
 const inspector::ui::GameText &TestWindowGame::text() {
     m_fixture->window().refresh();
@@ -228,8 +214,7 @@ void TestWindowGame::openOwnLevels(const QTemporaryDir &folder) {
     QFile broken(folder.filePath("4.txt"));
     QVERIFY(broken.open(QIODevice::WriteOnly) && broken.write("physics-maze 1\nbox 1 2\n") > 0);
     broken.close();
-    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Flat, folder.path());
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open(1, inspector::gl::Drawing::Flat, folder.path()));
 }
 
 void TestWindowGame::ownLevelsHaveTheirNames() {

@@ -21,15 +21,10 @@ using namespace window_test;
 using inspector::Game;
 using inspector::ui::NumberBox;
 
-class TestWindowInput : public QObject {
+class TestWindowInput : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
     void numberIsReadAsPeopleWriteIt_data();
     void numberIsReadAsPeopleWriteIt();
     void numbersAreReadAlikeInEveryLocale();
@@ -71,16 +66,7 @@ private slots:
 private:
     NumberBox *focused(const QString &name);
     bool hasView() { return m_fixture->window().view().hasFocus(); }
-
-    std::unique_ptr<Fixture> m_fixture;
 };
-
-void TestWindowInput::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowInput::cleanup() { m_fixture.reset(); }
 
 // With its text selected, as by Tab.
 NumberBox *TestWindowInput::focused(const QString &name) {
@@ -116,8 +102,7 @@ void TestWindowInput::numberIsReadAsPeopleWriteIt() {
 void TestWindowInput::numbersAreReadAlikeInEveryLocale() {
     const QLocale before;
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open());
     NumberBox *box = focused("restitution_wall_box");
     m_fixture->type("0.9");
     m_fixture->key(Qt::Key_Return);

@@ -17,15 +17,10 @@ using namespace window_test;
 using inspector::Game;
 using inspector::ui::NumberBox;
 
-class TestWindowKeys : public QObject {
+class TestWindowKeys : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
     void enterStartsTheGame();
     void enterStartsTheGameFromAList_data();
     void enterStartsTheGameFromAList();
@@ -63,16 +58,7 @@ private:
     phys_state ball() { return m_fixture->simulation().latest().current; }
     bool isRunning() { return m_fixture->simulation().latest().running; }
     void startGame();
-
-    std::unique_ptr<Fixture> m_fixture;
 };
-
-void TestWindowKeys::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowKeys::cleanup() { m_fixture.reset(); }
 
 void TestWindowKeys::startGame() {
     m_fixture->press(Qt::Key_Return);

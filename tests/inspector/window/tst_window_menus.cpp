@@ -17,15 +17,11 @@
 using namespace window_test;
 using inspector::ui::plainText;
 
-class TestWindowMenus : public QObject {
+class TestWindowMenus : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void cleanup() override;
     void everyMenuHasItsEntries();
     void noMenuSaysTheSameTwice();
     void everyEntryHasALetterOfItsOwn_data();
@@ -40,14 +36,7 @@ private:
     QStringList faultsOf(QMenu &menu);
     static QChar letterOf(const QAction &entry);
     QAction *entryOf(const QString &text);
-
-    std::unique_ptr<Fixture> m_fixture;
 };
-
-void TestWindowMenus::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
 
 void TestWindowMenus::cleanup() {
     while (QWidget *open = QApplication::activePopupWidget()) open->close();

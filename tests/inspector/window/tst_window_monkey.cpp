@@ -88,13 +88,11 @@ const char *const kTexts[] = {"1e-3", "0,9", "-5", "1/60", "fast", "1e400", "nan
 
 } // namespace
 
-class TestWindowMonkey : public QObject {
+class TestWindowMonkey : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
+    void init() override;
     void randomHandsBreakNothing();
 
 private:
@@ -109,7 +107,6 @@ private:
     void leaveInnerLoops();
 
     std::mt19937 m_random;
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 // A random target: the window, or the dialog in front of it.
@@ -207,13 +204,13 @@ void TestWindowMonkey::act() {
     QApplication::processEvents();
 }
 
+void TestWindowMonkey::init() { QVERIFY(open(1, inspector::gl::Drawing::Solid)); }
+
 void TestWindowMonkey::randomHandsBreakNothing() {
     const unsigned seed = numberOf("MONKEY_SEED", kSeed);
     const unsigned actions = numberOf("MONKEY_ACTIONS", kActions);
     qInfo("seed %u, %u actions", seed, actions);
     m_random.seed(seed);
-    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Solid);
-    QVERIFY(m_fixture->isReady());
     QTimer answers;
     connect(&answers, &QTimer::timeout, this, &TestWindowMonkey::leaveInnerLoops);
     answers.start(20);

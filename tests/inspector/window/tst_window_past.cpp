@@ -23,15 +23,11 @@ using namespace window_test;
 using inspector::ui::MessageBar;
 using support::sameBits;
 
-class TestWindowPast : public QObject {
+class TestWindowPast : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void timeBarIsAlwaysThere();
     void draggedTimeShowsThatMoment();
     void stepBackShowsTheStepBefore();
@@ -83,18 +79,14 @@ private:
         return true;
     }
 
-    std::unique_ptr<Fixture> m_fixture;
     std::vector<phys_state> m_states; // after each step
 };
 
 void TestWindowPast::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
+    QVERIFY(open());
     m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}, {QStringLiteral("tilt_x"), -3.0}});
     m_states.clear();
 }
-
-void TestWindowPast::cleanup() { m_fixture.reset(); }
 
 void TestWindowPast::makeSteps(uint64_t count) {
     for (uint64_t i = 0; i < count; ++i) {

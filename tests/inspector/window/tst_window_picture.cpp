@@ -61,22 +61,16 @@ bool writeText(const QString &path, const QString &text) {
 
 } // namespace
 
-class TestWindowPicture : public QObject {
+class TestWindowPicture : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void startLooksAsItDid();
     void sameSceneGivesTheSamePixels();
 
 private:
     QImage picture();
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 // Paused at the start, light, medium quality: nothing depends on the clock or the desktop.
@@ -86,8 +80,6 @@ void TestWindowPicture::init() {
     m_fixture->trigger("quality_2");
     QVERIFY(m_fixture->isReady());
 }
-
-void TestWindowPicture::cleanup() { m_fixture.reset(); }
 
 QImage TestWindowPicture::picture() {
     const QString path = m_fixture->path("now.png"); // as --grab, which waits for no plot's queue

@@ -14,25 +14,17 @@
 
 using namespace window_test;
 
-class TestWindowRecording : public QObject {
+class TestWindowRecording : public WindowSuite {
     Q_OBJECT
 
 private slots:
-    void init();
     void menuRecordsUntilItIsChosenAgain();
     void cancelRecordsNothing();
     void failureIsShownAndUnticked();
 
 private:
     QFileDialog *askedForName();
-
-    std::unique_ptr<Fixture> m_fixture;
 };
-
-void TestWindowRecording::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
 
 QFileDialog *TestWindowRecording::askedForName() {
     m_fixture->trigger("record");

@@ -27,15 +27,11 @@
 using namespace window_test;
 using inspector::ui::MessageBar;
 
-class TestWindowRefusals : public QObject {
+class TestWindowRefusals : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
+    void init() override;
     void refusedTextCanBeReadInEveryTheme_data();
     void refusedTextCanBeReadInEveryTheme();
     void reasonFollowsTheTheme();
@@ -51,8 +47,6 @@ private:
     QLineEdit *refused(const QString &name);
     QString report() { return m_fixture->find<QPlainTextEdit>("track_report")->toPlainText(); }
     QString write(const char *name, const QByteArray &text);
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 namespace {
@@ -80,12 +74,7 @@ double contrastOfRedIn(const QImage &picture, const QColor &background) {
 
 } // namespace
 
-void TestWindowRefusals::init() {
-    m_fixture = std::make_unique<Fixture>(3);
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowRefusals::cleanup() { m_fixture.reset(); }
+void TestWindowRefusals::init() { QVERIFY(open(3)); }
 
 // Widgets get the palette with the next events.
 void TestWindowRefusals::choose(const QString &theme) {

@@ -35,14 +35,10 @@ using inspector::Simulation;
 using support::contentOf;
 using support::write;
 
-class TestWindowReplay : public QObject {
+class TestWindowReplay : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
     void menuOpensAndPlaysToTheEnd();
     void droppedRecordingIsPlayedAndDroppedMazeIsOpened();
     void everythingShowsTheMoment();
@@ -83,8 +79,6 @@ private:
         m_fixture->window().refresh();
         return m_fixture->find<QLabel>(label)->text();
     }
-
-    std::unique_ptr<Fixture> m_fixture;
 };
 
 namespace {
@@ -110,11 +104,6 @@ QPoint timeHandleOf(const QSlider &slider) {
 }
 
 } // namespace
-
-void TestWindowReplay::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
 
 // 300 steps of 10 ms on level 3 with changing tilts and restitution, then 200 steps of 5 ms by another stepper from its
 // start; made by another session. Returns the file.

@@ -23,15 +23,10 @@
 
 using namespace window_test;
 
-class TestWindowSmall : public QObject {
+class TestWindowSmall : public WindowSuite {
     Q_OBJECT
 
-public:
-    static void initMain() { prepare(); }
-
 private slots:
-    void init();
-    void cleanup();
     void windowFitsASmallScreen_data();
     void windowFitsASmallScreen();
     void windowFitsAScreenOfLargePixels_data();
@@ -64,17 +59,7 @@ private slots:
     void resultSaysItsReasonWhole();
     void closedResultSaysAllOfIt();
     void everyFieldOfTheStatusIsWhole();
-
-private:
-    std::unique_ptr<Fixture> m_fixture;
 };
-
-void TestWindowSmall::init() {
-    m_fixture = std::make_unique<Fixture>();
-    QVERIFY(m_fixture->isReady());
-}
-
-void TestWindowSmall::cleanup() { m_fixture.reset(); }
 
 void TestWindowSmall::windowFitsASmallScreen_data() {
     QTest::addColumn<QString>("dock");

@@ -144,6 +144,9 @@ void Fixture::reportMissing(const QString &name) const {
     qFatal("no child '%s'; there are: %s", qPrintable(name), qPrintable(names.join(QLatin1String(", "))));
 }
 
+void WindowSuite::init() { QVERIFY(open()); }
+void WindowSuite::cleanup() { m_fixture.reset(); }
+
 void click(QWidget *widget) { QTest::mouseClick(widget, Qt::LeftButton, {}, widget->rect().center()); }
 
 // QTest::mouseMove carries no buttons, so the moves are sent as the platform would.

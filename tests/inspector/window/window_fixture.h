@@ -7,6 +7,7 @@
 #include "ui/window/main_window.h"
 
 #include <QAction>
+#include <QObject>
 #include <QString>
 #include <QTemporaryDir>
 #include <QTest>
@@ -89,6 +90,28 @@ private:
     QSettings m_settings;
     std::unique_ptr<inspector::Session> m_session;
     std::unique_ptr<inspector::ui::MainWindow> m_window;
+};
+
+// A suite of which each fact has a new window.
+class WindowSuite : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+protected:
+    // Makes the window, over level 1 drawn flat unless told otherwise, and shows it.
+    template<typename... Arguments>
+    bool open(Arguments... arguments) {
+        m_fixture = std::make_unique<Fixture>(arguments...);
+        return m_fixture->isReady();
+    }
+
+    std::unique_ptr<Fixture> m_fixture;
+
+private slots:
+    virtual void init();
+    virtual void cleanup();
 };
 
 void click(QWidget *widget);
