@@ -182,6 +182,9 @@ std::optional<Truth> Truth::of(const Case &given) {
         if (!force.run(law, Real(scene.duration()) / kCheckpoints, motion)) return std::nullopt;
         truth.m_motions.push_back(motion);
     }
+    std::vector<phys_vec3> places = {scene.start.position};
+    for (const Motion &reached : truth.m_motions) places.push_back(rounded(reached.place));
+    if (passesThroat(scene, places)) return std::nullopt;
     truth.m_hasEvents = force.events() > 0 || isPushedOut;
     const std::vector<Motion> coarser = truth.run(law, motionOf(scene.start), 1e-11L);
     if (coarser.empty()) return std::nullopt;
