@@ -183,8 +183,9 @@ std::optional<Truth> Truth::of(const Case &given) {
         truth.m_motions.push_back(motion);
     }
     std::vector<phys_vec3> places = {scene.start.position};
-    for (const Motion &reached : truth.m_motions) places.push_back(rounded(reached.place));
-    if (passesThroat(scene, places)) return std::nullopt;
+    for (const Vector &place : force.way()) places.push_back(rounded(place));
+    const auto isUndecided = [&](const phys_vec3 &centre) { return hasUndecidedGap(scene, centre); };
+    if (std::any_of(places.begin(), places.end(), isUndecided) || passesThroat(scene, places)) return std::nullopt;
     truth.m_hasEvents = force.events() > 0 || isPushedOut;
     const std::vector<Motion> coarser = truth.run(law, motionOf(scene.start), 1e-11L);
     if (coarser.empty()) return std::nullopt;

@@ -29,8 +29,8 @@ bool passesThroat(const Case &scene, const std::vector<phys_vec3> &places);
 /// The motion by brute force, and how far it deviates if it is disturbed a little.
 class Truth {
 public:
-    /// Empty if the ball starts inside a box, or if there is no answer: a gap of exactly its diameter, a throat that it
-    /// exactly fits and gets into, or a failure of the brute force.
+    /// Empty if the ball starts inside a box, or if there is no answer: a gap of exactly its diameter in which it
+    /// doesn't stay, a throat that it exactly fits and gets into, or a failure of the brute force.
     static std::optional<Truth> of(const Case &scene);
 
     const std::vector<Motion> &motions() const { return m_motions; }

@@ -82,6 +82,7 @@ private slots:
     void partsOfAStepShowAnErrorOfItsSize_data();
     void partsOfAStepShowAnErrorOfItsSize();
     void aThroatIsPassedWhereOneOfItsThreeContactsEnds();
+    void aBallThatLeavesAGapOfItsDiameterHasNoTruth();
     void aCaseReadsBackAsItWasWritten();
     void aWrongLineOfACaseIsNamed();
     void aKnownFaultIsMatchedByItsWords();
@@ -245,6 +246,18 @@ void Witness::aThroatIsPassedWhereOneOfItsThreeContactsEnds() {
     scene.boxes[2].min.y = -9; // on one side of the ball
     scene.boxes[2].max.y = -5;
     QVERIFY(!passesThroat(scene, {{0, 0, 1}, {0, 0, 6}}));
+}
+
+void Witness::aBallThatLeavesAGapOfItsDiameterHasNoTruth() {
+    Case scene = emptyCase();
+    scene.radius = 0.006;
+    scene.boxes = {{{-1, -1, -0.1}, {1, 1, 0}}, {{-1, 0.006, 0}, {0.01, 1, 0.02}}, {{-1, -1, 0}, {0.01, -0.006, 0.02}}};
+    scene.start.position = {0, 0, 0.006};
+    scene.start.velocity = {0.2, 0, 0};
+    scene.legs = {{{0, 0, -9.8}, 0.04, 1}};
+    QVERIFY(Truth::of(scene));
+    scene.legs = {{{0, 0, -9.8}, 0.06, 1}};
+    QVERIFY(!Truth::of(scene));
 }
 
 void Witness::aCaseReadsBackAsItWasWritten() {

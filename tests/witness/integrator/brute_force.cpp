@@ -541,6 +541,7 @@ bool BruteForce::run(const Law &law, Real duration, Motion &motion) {
         motion = trial.end;
         project(trial.contacts, motion);
         if (isHit) pushOut(motion);
+        m_way.push_back(motion.place);
         left = h == left ? 0 : left - h;
     }
 }

@@ -23,6 +23,8 @@ public:
     uint64_t impacts() const { return m_impacts; }
     /// Impacts, changes of feature, ends of slipping and rolling.
     uint64_t events() const { return m_events + m_impacts; }
+    /// The centre after each step so far.
+    const std::vector<Vector> &way() const { return m_way; }
     bool isAtRest(const Law &law, const Motion &motion) const;
 
 private:
@@ -74,6 +76,7 @@ private:
     uint64_t m_steps = 0;
     uint64_t m_impacts = 0;
     uint64_t m_events = 0;
+    std::vector<Vector> m_way;
     mutable uint64_t m_updates = 0; ///< of contacts so far: the cost of a run
     Real m_suggested = 1e-5L;
 };
