@@ -111,7 +111,7 @@ QStringList TestWindowMenus::faultsOf(QMenu &menu) {
 
 void TestWindowMenus::everyEntryHasALetterOfItsOwn_data() {
     QTest::addColumn<std::function<void()>>("open");
-    const auto row = [](const char *name, std::function<void()> open) { QTest::newRow(name) << std::move(open); };
+    const auto row = [](const char *name, const std::function<void()> &open) { QTest::newRow(name) << open; };
     row("file", [this] {
         const QString maze = m_fixture->path("mine.txt");
         QFile::copy(m_fixture->session().level().path, maze);
