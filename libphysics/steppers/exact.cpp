@@ -105,7 +105,7 @@ constinit const phys_stepper_api kExact = {
     .flags = PHYS_STEPPER_EXACT_IN_DT | PHYS_STEPPER_BITS_EVERYWHERE,
     .id = "exact",
     .name = "Exact",
-    .version = "21",
+    .version = "22",
     .summary = "The reference: every event in its place, closed forms between; error = rounding, any step.",
     .rows = nullptr,
     .row_count = 0,

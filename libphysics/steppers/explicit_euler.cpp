@@ -7,6 +7,6 @@
 namespace phys {
 
 constinit const phys_stepper_api kExplicitEuler = discreteStepper<ExplicitEuler>(
-    "explicit-euler", "Explicit Euler", "18", "A bad example to compare with: first order, and restless in contact.");
+    "explicit-euler", "Explicit Euler", "19", "A bad example to compare with: first order, and restless in contact.");
 
 } // namespace phys

@@ -7,6 +7,6 @@
 namespace phys {
 
 constinit const phys_stepper_api kRk4 = discreteStepper<RungeKutta4>(
-    "rk4", "Runge-Kutta 4", "18", "Fourth order between impacts, first across them: order alone buys nothing there.");
+    "rk4", "Runge-Kutta 4", "19", "Fourth order between impacts, first across them: order alone buys nothing there.");
 
 } // namespace phys

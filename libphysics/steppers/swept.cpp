@@ -76,7 +76,7 @@ constinit const phys_stepper_api kSwept = {sizeof(phys_stepper_api),
                                            PHYS_STEPPER_BITS_EVERYWHERE,
                                            "swept",
                                            "Swept",
-                                           "17",
+                                           "18",
                                            "Second order throughout: every impact is found, moved to and reflected "
                                            "inside the step.",
                                            nullptr,

@@ -7,6 +7,6 @@
 namespace phys {
 
 constinit const phys_stepper_api kSymplecticEuler = discreteStepper<SymplecticEuler>(
-    "symplectic-euler", "Symplectic Euler", "18", "The default: the cheapest that is stable at rest; first order.");
+    "symplectic-euler", "Symplectic Euler", "19", "The default: the cheapest that is stable at rest; first order.");
 
 } // namespace phys

@@ -7,7 +7,7 @@
 namespace phys {
 
 constinit const phys_stepper_api kVelocityVerlet = discreteStepper<VelocityVerlet>(
-    "velocity-verlet", "Velocity Verlet", "18",
+    "velocity-verlet", "Velocity Verlet", "19",
     "Second order between impacts, first across them; for smooth accuracy at little cost.");
 
 } // namespace phys

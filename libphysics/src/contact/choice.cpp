@@ -33,29 +33,39 @@ bool mayStop(const Substep &substep) {
     return substep.moment.radius * glm::length(spin) <= endedSpeed(substep, kInertia * substep.rollingFriction);
 }
 
-/// Whether the law has a single solution. Resistance that holds a ball may press it against other contacts.
+bool isStill(const Substep &substep, const Contact &contact) {
+    const double most = endedSpeed(substep, std::min(1.0, contact.friction));
+    return glm::length(slipAt(substep.moment, contact.normal)) <= most;
+}
+
+/// Whether the law has a single solution. Resistance that holds a ball may press it against other contacts, and depends
+/// on the pressure of two that stick while the ball rounds an edge.
 bool isOnlySolution(const Substep &substep, const Contacts &contacts) {
-    bool isOnTop = false, isGlued = false, leans = false, isRough = false;
+    bool isOnTop = false, isGlued = false, leans = false, isRough = false, turns = false;
+    uint32_t still = 0;
     for (const Contact &contact : contacts) {
         isOnTop = isOnTop || contact.isTop;
         isGlued = isGlued || contact.isGlued;
         leans = leans || (!contact.isTop && contact.normal.z != 0.0);
         isRough = isRough || (!contact.isTop && contact.friction > 0.0);
+        if (substep.rollingFriction == 0.0 || contact.friction == 0.0 || !isStill(substep, contact)) continue;
+        turns = turns || !contact.isFace();
+        ++still;
     }
-    const bool holds = isOnTop && substep.rollingFriction > 0.0 && mayStop(substep);
-    if (holds && (leans || isRough)) return false;
+    const bool resists = isOnTop && substep.rollingFriction > 0.0;
+    if (resists && turns && still > 1) return false;
+    if (resists && (leans || isRough) && mayStop(substep)) return false;
     return areUncoupled(contacts) && !(isGlued && leans);
 }
 
 Held heldOf(const Substep &substep, const Contact &contact) {
-    const Vec3 slip = slipAt(substep.moment, contact.normal);
     Held held{};
     held.normal = contact.normal;
     held.across = contact.across(Vec3(1.0));
     held.friction = contact.friction;
     held.resistance = contact.isTop ? substep.rollingFriction : 0.0;
     held.isGlued = contact.isGlued;
-    held.isStill = glm::length(slip) <= endedSpeed(substep, std::min(1.0, contact.friction));
+    held.isStill = isStill(substep, contact);
     return held;
 }
 
@@ -159,6 +169,7 @@ bool choose(const Contacts &contacts, const Moment &moment, double rollingFricti
         if (contact.rolls && rollingFriction > 0.0) contact.resisting = tangential(resisting, part.held[i].normal);
     }
     lasting.setChosen();
+    if (response.isPrestressed) lasting.setPrestressed();
     return false;
 }
 

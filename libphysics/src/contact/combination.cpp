@@ -43,7 +43,7 @@ void addRows(const Combination &c, uint32_t i, dense::Equations &equations, cons
 void addGauge(const Combination &c, uint32_t i, uint32_t j, dense::Equations &equations) {
     const Vec3 line = hat(c.held[i].normal - c.held[j].normal);
     const Vec3 at[] = {tangential(line, c.held[i].normal), -tangential(line, c.held[j].normal)};
-    dense::Values &factors = equations.add(0.0);
+    dense::Values &factors = equations.add(c.prestress * (squared(at[0]) + squared(at[1])));
     for (uint32_t part = 0; part < 3; ++part) {
         factors[c.column[i] + part] = at[0][static_cast<int>(part)];
         factors[c.column[j] + part] = at[1][static_cast<int>(part)];
@@ -226,49 +226,108 @@ bool fits(const Combination &c, double zero) {
     return true;
 }
 
+namespace {
+
+/// Forces between two sticking contacts along the line through both.
+class Prestress {
+public:
+    Prestress(Combination &c, uint32_t i, uint32_t j)
+        : m_c(c)
+        , m_contacts{i, j}
+        , m_line(hat(c.held[i].normal - c.held[j].normal))
+        , m_forces{c.reactions[i].force, c.reactions[j].force}
+        , m_judged{c.judged[i], c.judged[j]}
+        , m_resists(isResisted()) {}
+
+    /// Takes the least with which the combination fits; none if there is no such prestress.
+    bool find(double zero) {
+        std::array<double, 16> amounts{};
+        uint32_t count = 1;
+        const std::array<Vec3, 2> along = judgedPerUnit();
+        for (uint32_t k = 0; k < 2; ++k) {
+            for (const double limit : limitsAt(m_contacts[k], m_judged[k], along[k])) {
+                if (limit != 0.0) amounts[count++] = limit;
+            }
+        }
+        const auto isLess = [](double a, double b) { return std::abs(a) < std::abs(b); };
+        std::sort(amounts.begin(), amounts.begin() + count, isLess);
+        for (uint32_t k = 0; k < count; ++k) {
+            take(amounts[k]);
+            if (fits(m_c, zero)) return true;
+        }
+        take(0.0);
+        return false;
+    }
+
+private:
+    Combination &m_c;
+    std::array<uint32_t, 2> m_contacts;
+    Vec3 m_line;
+    std::array<Vec3, 2> m_forces, m_judged; ///< without prestress
+    bool m_resists;
+
+    /// Whether rolling resistance depends on it. It doesn't if it holds the ball, as three that stick do.
+    bool isResisted() const {
+        if (m_c.rolling == Vec3(0.0) || m_c.isHeld()) return false;
+        uint32_t sticking = 0;
+        for (uint32_t i = 0; i < m_c.count(); ++i) sticking += m_c.sticks(i) ? 1 : 0;
+        return sticking == 2;
+    }
+
+    void take(double amount) {
+        if (m_resists) {
+            m_c.prestress = amount;
+            solve(m_c);
+            judge(m_c);
+            return;
+        }
+        for (uint32_t k = 0; k < 2; ++k) {
+            const Vec3 force = k == 0 ? amount * m_line : -amount * m_line;
+            Reaction &reaction = m_c.reactions[m_contacts[k]];
+            reaction.force = m_forces[k] + force;
+            reaction.pressure = glm::dot(reaction.force, m_c.held[m_contacts[k]].normal);
+            m_c.judged[m_contacts[k]] = m_judged[k] + force;
+        }
+    }
+
+    /// What a unit changes of the forces by which friction is judged: of that without resistance at the contact that
+    /// resists, of all at the other one.
+    std::array<Vec3, 2> judgedPerUnit() const {
+        std::array<Vec3, 2> changes{m_line, -m_line};
+        if (!m_resists) return changes;
+        Combination pressed = m_c;
+        pressed.prestress = accelerationScale(m_c.moment);
+        solve(pressed);
+        for (uint32_t k = 0; k < 2; ++k) {
+            if (m_c.held[m_contacts[k]].resistance > 0.0) continue;
+            changes[k] = (pressed.reactions[m_contacts[k]].force - m_forces[k]) / pressed.prestress;
+        }
+        return changes;
+    }
+
+    /// The amounts with which friction at a contact is at the limit of its cone; 0 instead of one that doesn't exist.
+    std::array<double, 2> limitsAt(uint32_t contact, const Vec3 &r, const Vec3 &along) const {
+        // |r + s along|^2 = (1 + mu^2) N^2 with N = n.(r + s along), which is found: from s rounded by no more than the
+        // forces, it would be lost where much friction needs hardly any N.
+        const double mu = m_c.held[contact].friction;
+        const Vec3 &n = m_c.held[contact].normal;
+        const double rn = glm::dot(r, n), ln = glm::dot(along, n);
+        const Vec3 perN = (along - ln * n) / ln, unpressed = r - rn * n - rn * perN;
+        const double q2 = squared(perN) - mu * mu, q1 = glm::dot(unpressed, perN), q0 = squared(unpressed);
+        const double discriminant = q1 * q1 - q2 * q0;
+        if (m_c.held[contact].isGlued || !(discriminant >= 0.0)) return {};
+        // q2 is rounding where the line is parallel to the cone: friction of 1 at perpendicular normals.
+        const double q = -(q1 + std::copysign(std::sqrt(discriminant), q1));
+        return {q2 != 0.0 ? (q / q2 - rn) / ln : 0.0, q != 0.0 ? (q0 / q - rn) / ln : 0.0};
+    }
+};
+
+} // namespace
+
 void share(Combination &c, double zero) {
     for (uint32_t i = 0; i < c.count(); ++i) {
         for (uint32_t j = 0; j < i; ++j) {
-            if (!c.sticks(i) || !c.sticks(j)) continue;
-            const Vec3 line = hat(c.held[i].normal - c.held[j].normal);
-            std::array<double, 16> moves{};
-            uint32_t count = 1;
-            const auto addRoots = [&](uint32_t k, const Vec3 &along) {
-                // |r + s along|^2 = (1 + mu^2) N^2 with N = n.(r + s along), which is found: from s rounded by no
-                // more than the forces, it would be lost where much friction needs hardly any N.
-                const double mu = c.held[k].friction;
-                const Vec3 &r = c.judged[k], &n = c.held[k].normal;
-                const double rn = glm::dot(r, n), ln = glm::dot(along, n);
-                const Vec3 perN = (along - ln * n) / ln, unpressed = r - rn * n - rn * perN;
-                const double q2 = squared(perN) - mu * mu, q1 = glm::dot(unpressed, perN), q0 = squared(unpressed);
-                const double discriminant = q1 * q1 - q2 * q0;
-                if (c.held[k].isGlued || discriminant < 0.0) return;
-                // q2 is rounding where the line is parallel to the cone: friction of 1 at perpendicular normals.
-                const double q = -(q1 + std::copysign(std::sqrt(discriminant), q1));
-                if (q2 != 0.0) moves[count++] = (q / q2 - rn) / ln;
-                if (q != 0.0) moves[count++] = (q0 / q - rn) / ln;
-            };
-            addRoots(i, line);
-            addRoots(j, -line);
-            std::sort(moves.begin(), moves.begin() + count,
-                      [](double a, double b) { return std::abs(a) < std::abs(b); });
-            const Reaction before[] = {c.reactions[i], c.reactions[j]};
-            const Vec3 judgedBefore[] = {c.judged[i], c.judged[j]};
-            for (uint32_t move = 0; move < count; ++move) {
-                const Vec3 force = moves[move] * line;
-                c.reactions[i].force = before[0].force + force;
-                c.reactions[j].force = before[1].force - force;
-                c.judged[i] = judgedBefore[0] + force;
-                c.judged[j] = judgedBefore[1] - force;
-                for (const uint32_t k : {i, j}) {
-                    c.reactions[k].pressure = glm::dot(c.reactions[k].force, c.held[k].normal);
-                }
-                if (fits(c, zero)) return;
-            }
-            c.reactions[i] = before[0];
-            c.reactions[j] = before[1];
-            c.judged[i] = judgedBefore[0];
-            c.judged[j] = judgedBefore[1];
+            if (c.sticks(i) && c.sticks(j) && Prestress(c, i, j).find(zero)) return;
         }
     }
 }

@@ -40,6 +40,7 @@ struct Combination {
     double most = INFINITY; ///< sum of N of another combination that fits within rounding already
     bool searches = false;  ///< for the direction of a slip that starts, model.md 14.1
     uint32_t spent = 0;     ///< bits of contacts whose friction is spent: they may start without an acceleration
+    double prestress = 0.0; ///< of two sticking contacts against each other, on top of what leaves the least friction
 
     uint32_t count() const { return static_cast<uint32_t>(held.size()); }
     std::span<const Reaction> list() const { return {reactions.data(), held.size()}; }
@@ -136,7 +137,7 @@ void addRows(const Combination &c, uint32_t i, dense::Equations &equations, cons
              double bend);
 
 /// Two sticking contacts leave a force along the line through both undetermined, which moves nothing. This equation
-/// selects the one with the least friction, model.md 14.1.
+/// selects the one with the least friction, or with the prestress of the combination: model.md 14.1.
 void addGauge(const Combination &c, uint32_t i, uint32_t j, dense::Equations &equations);
 
 /// The equations of a combination; addRowsOf(i, equations) adds those of contact i, which isn't open.
@@ -209,8 +210,8 @@ void judge(Combination &c);
 /// Whether the conditions of the modes hold for judged forces, up to accelerations of `zero`.
 bool fits(const Combination &c, double zero);
 
-/// Shifts forces of sticking contacts along the lines through pairs of them, which changes no motion, until both are
-/// within their cones if possible: model.md 14.1.
+/// Presses sticking contacts against each other along the lines through pairs of them until both are within their cones
+/// if possible, model.md 14.1. That changes no motion but by the resistance to which the pressure leads.
 void share(Combination &c, double zero);
 
 } // namespace phys

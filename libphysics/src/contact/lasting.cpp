@@ -219,6 +219,7 @@ void LastingContacts::unload() {
         contact.reaction = 0.0;
         contact.rubbing = contact.resisting = Vec3(0.0);
         contact.isIdle = contact.rolls = contact.closes = false;
+        contact.load = -1.0;
     }
 }
 
@@ -417,7 +418,7 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
     const Motion nearMotion = motion;
     unload();
     motion = driven;
-    m_isChosen = false;
+    m_isChosen = m_isPrestressed = false;
     solveBySweeps(rollingFriction, negligible, driven, motion);
     // Sweeps may end in a jam, which presses far more.
     if (!isSolved || near.pressure() >= pressure()) return;

@@ -27,7 +27,7 @@ struct Lasting {
     bool isSpent;   ///< friction is at its limit
     bool rolls;     ///< a top face without slip, so that rolling resistance works there
     bool isIdle;    ///< opens without pressure, as two others with normals in one plane press instead
-    bool closes;    ///< sticks, but for the slip with which a pair of sticking contacts closes a gap
+    bool closes;    ///< sticks by prestress, or but for the slip with which a pair of sticking contacts closes a gap
     double load;    ///< reaction on which resistance depends, m/s; below 0: the present one
 
     /// Whether friction has a reserve. Its magnitude doesn't tell, as friction at its limit is rounded.
@@ -62,6 +62,10 @@ public:
 
     /// The impulses are those of the solution to be taken if there are several: see `choose`.
     void setChosen() { m_isChosen = true; }
+    /// The same where two of them stick only as they press each other: they do, and resistance depends on that
+    /// pressure.
+    void setPrestressed();
+    bool isPrestressed() const { return m_isPrestressed; }
     bool isChosen() const { return m_isChosen; }
     /// Begins with the chosen solution of a similar problem with the same contacts.
     void keep(const LastingContacts &chosen);
@@ -106,6 +110,7 @@ private:
     double m_radius;
     Work *m_work;
     bool m_isChosen = false;
+    bool m_isPrestressed = false;
     double m_mostPressure = 2.0; ///< share of the chosen pressure that the solution near it may have
     bool m_needsNewton = false;  ///< sweeps converged too slowly the last time
 };

@@ -176,6 +176,7 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
         ModeCounter modes(held, known, moment.mostPressing);
         do {
             c.rolling = Vec3(0.0);
+            c.prestress = 0.0;
             c.most = bestRank == 0 ? sumOfPressures(best.list()) : INFINITY;
             if (!setModes(c, modes, directions, excluded)) continue;
             const bool isSettled = settle(c, stuckForces);
@@ -191,6 +192,7 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
             best.acceleration = c.acceleration;
             best.spinAcceleration = c.spinAcceleration;
             best.rolling = c.isHeld() ? Vec3(0.0) : c.rolling;
+            best.isPrestressed = c.prestress != 0.0;
         } while (modes.next() && !work.isTooMuch());
     };
     tryAll();
@@ -282,6 +284,7 @@ Response respond(const Moment &moment, std::span<const Held> held, Work &work, c
     }
     seen = enumerate(mirror.seen(moment), sorted.list(), work, excludedSeen, seen);
     response.isFound = seen.isFound;
+    response.isPrestressed = seen.isPrestressed;
     response.acceleration = mirror.back(seen.acceleration);
     response.spinAcceleration = mirror.backSpin(seen.spinAcceleration);
     response.rolling = mirror.backSpin(seen.rolling);

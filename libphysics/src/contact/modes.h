@@ -61,6 +61,8 @@ struct Response {
     Vec3 rolling{0.0};   ///< unit vector hat(om_t), which rolling resistance opposes; 0 if there is no resistance
     double noise = 0.0;  ///< m/s^2: accelerations up to this are rounding
     bool isFound = true; ///< false: no combination of modes fits, model.md 14.1
+    /// Two contacts stick only as they press each other, and resistance depends on that.
+    bool isPrestressed = false;
 
     std::span<const Reaction> list() const { return {reactions.data(), count}; }
 };

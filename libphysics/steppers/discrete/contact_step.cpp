@@ -145,8 +145,9 @@ void stayInContact(const StepContext &context, const Contacts &contacts, const L
     if (glm::distance(ball.position, settled.position) <= h * fastest) ball = settled;
 }
 
-/// Two contacts that stick can't approach each other.
+/// Two contacts that stick can't approach each other, but by prestress.
 bool twoStick(const LastingContacts &lasting) {
+    if (lasting.isPrestressed()) return false; // they slip along the line through both instead
     return std::count_if(lasting.begin(), lasting.end(), [](const Lasting &contact) { return contact.sticks(); }) > 1;
 }
 

@@ -64,13 +64,22 @@ VecJet Series::frictionOf(const Contact &contact) const {
     for (int k = 0; k <= kOrder; ++k) {
         friction[k] = contact.r[k] - (contact.isFlat ? contact.N[k] * contact.n[0] : termOf(contact.N, contact.n, k));
     }
-    if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
-        const double share = 5.0 / 7.0 * contact.held.resistance;
+    if (rolls(contact)) {
+        const double share = frictionOfResistance(contact);
         for (int k = 0; k <= kOrder; ++k) {
             friction[k] += share * glm::cross(termOf(contact.N, m_rolling, k), contact.held.normal);
         }
     }
     return friction;
+}
+
+/// The friction that resistance needs at the contact where it acts, per N. Another contact that sticks takes part of
+/// it: model.md 14.1.
+double Series::frictionOfResistance(const Contact &contact) const {
+    const Contact *other = otherSticking(contact);
+    if (!other) return 5.0 / 7.0 * contact.held.resistance;
+    const double inertia = 4.5 + 2.5 * glm::dot(contact.n[0], other->n[0]);
+    return (1.0 - 1.0 / inertia) * contact.held.resistance;
 }
 
 /// The other sticking contact if exactly two stick.
@@ -139,21 +148,8 @@ bool Series::takeReserve(const Contact &contact, const Contact &other, const Vec
     if (!(more[0] > kParallel) || !(squaredSine[0] > kParallel) || !(most[0] > 0.0)) return false;
     const Jet limit = product(inertia, most);
     Jet needed = product(inertia, product(more, dot(friction, free)));
-    if (m_rolls < m_count && &other == &m_contacts[m_rolls]) {
+    if (rolls(other)) {
         needed = sum(0.0, -other.held.resistance, product(slide, dot(m_rolling, contact.n)), needed);
-    }
-    if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
-        // Once the ball slips, it doesn't roll against any resistance; the reserve counted resistance for the pressure
-        // with the least friction.
-        VecJet against, otherTangent;
-        for (int k = 0; k <= kOrder; ++k) {
-            against[k] = glm::cross(m_rolling[k], contact.held.normal);
-            otherTangent[k] = termOf(cosine, other.n, k) - contact.n[k];
-        }
-        const Jet shared = sum(0.0, 1.0, slide, dot(frictionOf(other), otherTangent));
-        const Jet force = sum(0.0, -0.5, product(sum(-1.0, 1.0, inertia), shared),
-                              product(sum(-1.0, 2.0 / 7.0, inertia), product(more, contact.N)));
-        needed = sum(0.0, contact.held.resistance, product(dot(against, free), force), needed);
     }
     const double mu = contact.held.friction, unit = inertia[0] * more[0];
     reserve.left = squaresApart(mu * mu, product(squaredSine, product(limit, limit)), product(needed, needed));
@@ -179,6 +175,28 @@ bool Series::isPrestressed(const Contact &contact) const {
     const double most = contact.held.friction * contact.N[0];
     const Vec3 friction = contact.r[0] - contact.N[0] * contact.n[0];
     return contact.isKept || other->isKept || glm::dot(friction, friction) >= (1.0 - kSpent) * most * most;
+}
+
+/// Of two contacts that stick by the least prestress, on which resistance depends, the one with no friction left.
+void Series::findPrestressed(const Response &response) {
+    m_prestressed = kMostHeld;
+    if (!response.isPrestressed || m_rolls == kMostHeld) return;
+    double least = kNever;
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const Contact &contact = m_contacts[i];
+        if (contact.mode != Mode::sticking || contact.held.isGlued) continue;
+        const Vec3 friction = contact.r[0] - contact.N[0] * contact.n[0] + contact.N[0] * resisting(contact, 0);
+        const double most = contact.held.friction * contact.N[0], left = 1.0 - squared(friction) / (most * most);
+        if (!(left < least)) continue;
+        least = left;
+        m_prestressed = i;
+    }
+}
+
+/// Term k of the friction that resistance doesn't need at a contact, per N.
+Vec3 Series::resisting(const Contact &contact, int k) const {
+    if (!rolls(contact)) return Vec3(0.0);
+    return frictionOfResistance(contact) * glm::cross(m_rolling[k], contact.held.normal);
 }
 
 /// Two contacts whose friction is spent at the same moment, with the smallest forces between both that hold them: bits,
@@ -208,6 +226,15 @@ uint32_t Series::spentTogether(std::span<Reaction> reactions, std::span<Vec3> sl
     return bits;
 }
 
+/// Friction at a contact, across the line to another one at which resistance acts, per unit of force along that line:
+/// what the resistance to the pressure there needs of it.
+Vec3 Series::rubbedPerPrestress(const Contact &contact, const Contact &other, double s) const {
+    if (!rolls(other)) return Vec3(0.0);
+    const Vec3 n = other.n[0];
+    const double cosine = glm::dot(contact.n[0], n);
+    return other.held.resistance * (1.0 - cosine) / (4.5 + 2.5 * cosine) * glm::cross(m_rolling.at(s), n);
+}
+
 /// For two contacts that stick: when no forces between both hold them any longer, or, if they stick by prestress alone,
 /// another one of the two determines the smallest. Both then slip, if they can. In units; kNever if not before s.
 double Series::endOfPrestress(double s, Work &work) const {
@@ -224,9 +251,11 @@ double Series::endOfPrestress(double s, Work &work) const {
     const VecJet frictions[] = {frictionOf(*one), frictionOf(*other)};
     const auto look = [&](double at) {
         work.add(Work::kJet);
-        const Vec3 n = one->n.at(at), m = other->n.at(at);
-        const Range a = rangeOfCone(one->held.friction, frictions[0].at(at) + one->N.at(at) * n, n, n - m);
-        const Range b = rangeOfCone(other->held.friction, frictions[1].at(at) + other->N.at(at) * m, m, m - n);
+        const Vec3 n = one->n.at(at), m = other->n.at(at), line = n - m;
+        const Vec3 toOne = line + rubbedPerPrestress(*one, *other, at);
+        const Vec3 toOther = rubbedPerPrestress(*other, *one, at) - line;
+        const Range a = rangeOfCone(one->held.friction, frictions[0].at(at) + one->N.at(at) * n, n, toOne);
+        const Range b = rangeOfCone(other->held.friction, frictions[1].at(at) + other->N.at(at) * m, m, toOther);
         const bool holds = std::min(a.most, b.most) >= std::max(a.least, b.least);
         return std::array{holds, isKept && a.least < b.least};
     };

@@ -84,6 +84,7 @@ void Series::take(const Moment &moment, std::span<const Held> held, const Respon
         m_unknowns += isVector ? 3 : contact.mode == Mode::starting ? 4 : 1;
     }
     begin(response);
+    findPrestressed(response);
     findShared();
 }
 

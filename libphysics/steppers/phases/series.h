@@ -114,8 +114,9 @@ private:
     std::array<Contact, kMostHeld> m_contacts;
     std::array<uint32_t, kMostHeld> m_index{};
     uint32_t m_count = 0, m_unknowns = 0, m_turningNormals = 0;
-    uint32_t m_rolls = kMostHeld; ///< the contact at which resistance acts
-    int m_last = kOrder;          ///< order of the last terms
+    uint32_t m_rolls = kMostHeld;       ///< the contact at which resistance acts
+    uint32_t m_prestressed = kMostHeld; ///< of two that stick only so, the one with no friction left
+    int m_last = kOrder;                ///< order of the last terms
     Reach m_reach;
     double m_valid = 0.0; ///< validSoFar
     double m_most = 0.0, m_noForce = 0.0;
@@ -197,6 +198,7 @@ private:
     double imbalance(int k) const;
     void share(int k);
     void addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations);
+    void addPrestress(const Contact &contact, int k, dense::Equations &equations) const;
     void addRows(const Contact &contact, int k, dense::Equations &equations) const;
     Vec3 basis(const Contact &contact, uint32_t part) const;
     Vec3 spinPerForce(const Contact &contact, const Vec3 &force, int k) const;
@@ -208,7 +210,12 @@ private:
     bool suffices(double s);
     void clearRest();
     void measure();
+    bool rolls(const Contact &contact) const { return m_rolls < m_count && &contact == &m_contacts[m_rolls]; }
     VecJet frictionOf(const Contact &contact) const;
+    double frictionOfResistance(const Contact &contact) const;
+    Vec3 resisting(const Contact &contact, int k) const;
+    Vec3 rubbedPerPrestress(const Contact &contact, const Contact &other, double s) const;
+    void findPrestressed(const Response &response);
     const Contact *otherSticking(const Contact &contact) const;
     const Reserve &reserveOf(const Contact &contact) const;
     Reserve findReserve(const Contact &contact) const;

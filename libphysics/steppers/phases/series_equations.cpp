@@ -32,7 +32,7 @@ Vec3 Series::basis(const Contact &contact, uint32_t part) const {
 Vec3 Series::spinPerForce(const Contact &contact, const Vec3 &force, int k) const {
     if (contact.mode == Mode::smooth) return Vec3(0.0); // not even rounding
     Vec3 spin = -kInertia / m_moment.radius * glm::cross(contact.n[0], force);
-    if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
+    if (rolls(contact)) {
         spin -= kInertia * contact.held.resistance / m_moment.radius * glm::dot(force, contact.n[0]) * m_rolling[0];
     }
     return steadied(spin, k);
@@ -127,6 +127,27 @@ void Series::addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations
         factors[a.column + part] = ofA[static_cast<int>(part)];
         factors[b.column + part] = ofB[static_cast<int>(part)];
     }
+}
+
+/// The same for the least prestress with which both stick: friction at one of them remains at its limit, so that r, but
+/// for what resistance needs of it, is in its cone's surface, |r|^2 = (1 + mu^2) N^2.
+void Series::addPrestress(const Contact &contact, int k, dense::Equations &equations) const {
+    const Vec3 n0 = contact.n[0], resisting0 = resisting(contact, 0);
+    const double steep = 1.0 + contact.held.friction * contact.held.friction;
+    const auto judged = [&](int m) {
+        Vec3 force = contact.r[m];
+        for (int j = 0; j <= m && rolls(contact); ++j) force += contact.N[m - j] * resisting(contact, j);
+        return force;
+    };
+    const Vec3 force0 = judged(0), known = judged(k);
+    double left = glm::dot(force0, known) - steep * contact.N[0] * contact.N[k];
+    for (int m = 1; m < k; ++m)
+        left += 0.5 * (glm::dot(judged(m), judged(k - m)) - steep * contact.N[m] * contact.N[k - m]);
+    const double unit = std::sqrt(steep * squared(force0));
+    dense::Values &factors = equations.add(left / unit);
+    const Vec3 perForce = (steep * contact.N[0] - glm::dot(force0, resisting0)) * n0 - force0;
+    for (uint32_t part = 0; part < 3 && !equations.areSolved(); ++part)
+        factors[contact.column + part] = perForce[static_cast<int>(part)] / unit;
 }
 
 /// Whether the pressure of a contact that doesn't stick is zero, as that of the opposite one isn't.
@@ -251,7 +272,10 @@ void Series::solveOrder(int k) {
     }
     for (uint32_t j = 0; j < m_count; ++j) {
         for (uint32_t i = 0; i < j; ++i) {
-            if (m_contacts[i].mode == Mode::sticking && m_contacts[j].mode == Mode::sticking)
+            if (m_contacts[i].mode != Mode::sticking || m_contacts[j].mode != Mode::sticking) continue;
+            if (m_prestressed < m_count)
+                addPrestress(m_contacts[m_prestressed], k, m_equations);
+            else
                 addGauge(i, j, k, m_equations);
         }
     }
