@@ -112,9 +112,24 @@ bool pressAlike(const Some &some, std::span<const double> pressures, const Respo
     return true;
 }
 
+/// N of each contact at a moment of the phase.
+std::array<double, kMostHeld> pressuresAt(const Series &phase, double t, const Response &) {
+    return phase.pressures(t);
+}
+std::array<double, kMostHeld> pressuresAt(const Uniform &, double, const Response &response) {
+    std::array<double, kMostHeld> pressures{};
+    for (uint32_t i = 0; i < response.count; ++i) pressures[i] = response.reactions[i].pressure;
+    return pressures;
+}
+
+bool sharesLoad(const Series &phase) { return phase.sharesLoad(); }
+/// Such accelerations are constant if those that press share the load, too; a slip at another contact may turn.
+bool sharesLoad(const Uniform &) { return false; }
+
 /// How much larger the sum of N is at a moment of the phase than that of the law's choice then, beyond rounding. most:
 /// contacts with pressure of a choice that counts.
-double excess(const Series &phase, double t, uint32_t most, const Touching &touching, const Response &response,
+template<class P>
+double excess(const P &phase, double t, uint32_t most, const Touching &touching, const Response &response,
               MovingBall &ball) {
     constexpr double kSame = 4e-9, kDirection = 16.0 * 0x1p-52;
     ball.work.add(phase.lookWork());
@@ -123,7 +138,7 @@ double excess(const Series &phase, double t, uint32_t most, const Touching &touc
     const Some some = stillHeld(now, touching, response, ball);
     const Response chosen = respond(moment, {some.held.data(), some.count}, ball.work);
     if (!chosen.isFound || !onlySlips(chosen)) return 0.0;
-    const std::array<double, kMostHeld> pressures = phase.pressures(t);
+    const std::array<double, kMostHeld> pressures = pressuresAt(phase, t, response);
     const double noForce = kFits * accelerationScale(moment);
     if (countPressing(chosen, noForce) > most || pressAlike(some, pressures, chosen, noForce)) return 0.0;
     const double present = std::accumulate(pressures.begin(), pressures.end(), 0.0);
@@ -138,12 +153,10 @@ double excess(const Series &phase, double t, uint32_t most, const Touching &touc
 
 /// When the law chooses other modes, whose sum of N is smaller from then on: model.md 14.1.
 template<class P>
-void cutAtChoice(const P &, const Touching &, const Response &, MovingBall &, End &) {}
-
-void cutAtChoice(const Series &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
+void cutAtChoice(const P &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
     if (touching.count() < 3 || !onlySlips(response) || areUncoupled(touching.held())) return;
+    if (sharesLoad(phase)) return;
     Exchange exchange;
-    if (phase.sharesLoad()) return;
     // As many as now are those to which the load may pass, cutAtExchange; fewer let the ball go.
     const bool passes = findExchange(ball.motion, touching, response, ball, exchange);
     const uint32_t most = passes ? exchange.count - 2 : kMostHeld;
@@ -200,7 +213,9 @@ Event firstEvent(const P &phase, const Ground &ground, const Touching &touching,
     }
     end.cut(ownEnd(phase, touching, response, ball));
     cutAtExchange(phase, touching, response, ball, end);
-    cutAtChoice(phase, touching, response, ball, end);
+    if constexpr (std::is_same_v<P, Series> || std::is_same_v<P, Uniform>) {
+        cutAtChoice(phase, touching, response, ball, end);
+    }
     cutAtRelief(phase, touching, response, ball, end);
     const double acceleration = phase.mostAcceleration();
     const uint32_t closed = closedContacts(touching, response);

@@ -143,7 +143,8 @@ private:
         std::array<double, 4> pressures;
         Vec3 line{0.0}, push{0.0}, turn{0.0}; ///< along which three let the ball move; accelerations
         double rate = 0.0;                    ///< of what must remain zero; 0: there are none
-        uint32_t barrier = kMostHeld;         ///< the contact, without pressure, that leaves three no such line
+        uint32_t idle = 0;                    ///< bits of those without pressure whose N remains 0
+        bool isBarred = false;                ///< whether one of those leaves three no such line
     } m_shared;
     dense::Equations m_equations;                      ///< of the unknowns of an order
     mutable std::array<Reserve, kMostHeld> m_reserves; ///< those asked for: the start and the end of a phase ask
@@ -193,6 +194,7 @@ private:
     void knownAccelerations(int k);
     bool isIdleBesideOther(const Contact &contact) const;
     void solveOrder(int k);
+    void keepIdle(const Vec3 &line, double rounding);
     void findShared();
     static Vec3 pushPer(const Contact &contact, int j);
     double imbalance(int k) const;

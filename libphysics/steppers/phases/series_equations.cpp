@@ -167,12 +167,26 @@ Vec3 Series::pushPer(const Contact &contact, int j) {
     return contact.mode == Mode::slipping ? normal - contact.held.friction * contact.d[j] : normal;
 }
 
+/// Contacts without pressure that leave those that press no unknown of their own: the equations can't tell how the load
+/// is divided among all, and the law has: model.md 14.1.
+void Series::keepIdle(const Vec3 &line, double rounding) {
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const Contact &contact = m_contacts[i];
+        if (contact.N[0] > 0.0 || isIdleBesideOther(contact)) continue;
+        const bool isAcross = std::abs(glm::dot(contact.n[0], line)) > rounding;
+        m_shared.isBarred = m_shared.isBarred || (isAcross && m_shared.count > 2);
+        const bool isStraight = glm::length(contact.held.across * line) <= rounding;
+        if (isAcross ? m_shared.count > 2 : isStraight) m_shared.idle |= 1U << i;
+    }
+}
+
 /// Of slipping contacts that all press: whether and how they share a load.
 void Series::findShared() {
     Shared &shared = m_shared;
     shared.rate = 0.0;
     shared.count = 0;
-    shared.barrier = kMostHeld;
+    shared.idle = 0;
+    shared.isBarred = false;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         if (contact.needsRate()) return;
@@ -180,23 +194,20 @@ void Series::findShared() {
         if (shared.count == 4) return;
         shared.contacts[shared.count++] = i;
     }
-    if (shared.count < 3) return;
+    if (shared.count < 2 || m_count < 3) return;
     const auto of = [&](size_t i) -> const Contact & { return m_contacts[shared.contacts[i % shared.count]]; };
     const auto push = [&](size_t i) { return pushPer(of(i), 0); };
     const Vec3 line = hat(glm::cross(of(0).n[0], of(1).n[0]));
     const double rounding = 4.0 * m_moment.rounding;
     const double steepest = std::max(std::abs(glm::dot(of(2).n[0], line)), std::abs(glm::dot(of(3).n[0], line)));
     if (shared.count == 4 && steepest <= rounding) return;
-    shared.line = shared.count == 3 ? line : Vec3(0.0);
+    shared.line = shared.count == 4 ? Vec3(0.0) : line;
     for (size_t i = 0; i < shared.count; ++i) {
         if (glm::length(of(i).held.across * shared.line) > rounding) return;
         if (std::abs(glm::dot(of(i).n[0], shared.line)) > rounding) return;
     }
-    for (uint32_t i = 0; i < m_count; ++i) {
-        const bool isAcross = std::abs(glm::dot(m_contacts[i].n[0], shared.line)) > rounding;
-        if (isAcross && !isIdleBesideOther(m_contacts[i])) shared.barrier = i;
-    }
-    if (shared.barrier != kMostHeld) return;
+    if (shared.line != Vec3(0.0)) keepIdle(line, rounding);
+    if (shared.count == 2 || shared.isBarred) return;
     shared.push = shared.turn = Vec3(0.0);
     double sign = 1.0;
     for (size_t i = 0; i < shared.count; ++i) {
@@ -266,7 +277,7 @@ void Series::solveOrder(int k) {
             continue;
         }
         addRows(contact, k, m_equations);
-        if (i != m_shared.barrier && !contact.isIdle) continue;
+        if (!(m_shared.idle >> i & 1U) && !contact.isIdle) continue;
         dense::Values &factors = m_equations.add(0.0);
         if (!m_equations.areSolved()) factors[contact.column] = 1.0 + contact.held.friction;
     }
