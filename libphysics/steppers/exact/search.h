@@ -96,7 +96,8 @@ Look gapAt(const Target &target, const Phase &phase, const Outlook &around, doub
     const double gone = std::max(glm::length(now.way), t * glm::length(around.motion.velocity));
     const bool returns = !target.isTouched || gone > 0.25 * radius;
     const bool grazes = returns && target.grazes(gap, rate, n, now.velocity);
-    return {grazes ? target.tolerance : gap, rate, phase.least(n, rate, t, until)};
+    // At its lowest, as a graze that fell would take all looks of a search.
+    return {grazes ? target.tolerance : gap, grazes ? 0.0 : rate, phase.least(n, rate, t, until)};
 }
 
 /// The time from which the gap to a touched box that doesn't press is certainly open. Its first terms in time are zero,

@@ -336,6 +336,21 @@ void Series::knownAccelerations(int k) {
     }
 }
 
+/// How long the equations, in units, can't tell which of two edges presses whose normals are nearly the same and turn
+/// apart: as the ball leaves a corner of a floor round both. model.md 14.1.
+double Series::blindUntil() const {
+    constexpr double kApart = 4e-6; // rad: the equations see the square of the angle
+    double until = kNever;
+    for (uint32_t i = 1; i < m_count; ++i) {
+        for (uint32_t j = 0; j < i; ++j) {
+            const Contact &a = m_contacts[i], &b = m_contacts[j];
+            if (a.held.across == b.held.across || squared(a.n[0] - b.n[0]) > kApart * kApart) continue;
+            until = std::min(until, kApart / glm::length(a.n[1] - b.n[1]));
+        }
+    }
+    return until;
+}
+
 /// How far the terms so far are valid, in units.
 double Series::validSoFar() const {
     VecJet turning;
@@ -350,7 +365,7 @@ double Series::validSoFar() const {
     for (const Contact &contact : contacts()) {
         if (!slips) forces.add(contact.r, 0.0);
     }
-    double s = std::min(motion.until(), forces.until());
+    double s = std::min({motion.until(), forces.until(), blindUntil()});
     for (const Contact &contact : contacts()) s = contact.isKept ? std::min(s, kKeptFor / 0.8) : s;
     return s;
 }

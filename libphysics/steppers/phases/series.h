@@ -208,6 +208,7 @@ private:
     void rollingDirection(int k);
     Vec3 steadied(const Vec3 &al, int k) const;
     void directions(Contact &contact, int k);
+    double blindUntil() const;
     double validSoFar() const;
     bool suffices(double s);
     void clearRest();

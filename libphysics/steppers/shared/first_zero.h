@@ -49,12 +49,13 @@ double refined(const Function &look, double t, double step, double until, double
     return t;
 }
 
-/// A longer step from t on, if the bounds for shorter times allow it.
+/// A longer step from t on, if the bounds for shorter times allow it; zero: a value that counts as zero already, so
+/// that one of rounding that rises may fall by as much.
 template<class Function>
-double lengthened(const Function &look, double t, double step, double until) {
+double lengthened(const Function &look, double t, double step, double until, double zero) {
     for (double time = 4.0 * step; t + time < until; time *= 4.0) {
         const Look now = look(t, t + time);
-        const double longer = firstFall(std::max(0.0, now.value), now.rate, now.least);
+        const double longer = firstFall(std::max(zero, now.value), now.rate, now.least);
         step = std::max(step, std::min(longer, time));
         if (longer < time) break;
     }
@@ -82,7 +83,7 @@ double firstZero(const Function &look, double from, double until, double zero) {
             t = std::min(until, t + least);
             least *= 2.0;
         } else {
-            t += i < kFewLooks ? step : lengthened(look, t, step, until);
+            t += i < kFewLooks ? step : lengthened(look, t, step, until, zero);
         }
     }
     return t;

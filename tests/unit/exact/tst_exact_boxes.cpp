@@ -29,6 +29,9 @@ private slots:
     void rollsOutOfACrack_data();
     void rollsOutOfACrack();
     void restsOverACrackItIsTooSlowFor();
+    void rollsRoundBothEdgesOfAnInnerCornerAtOnce_data();
+    void rollsRoundBothEdgesOfAnInnerCornerAtOnce();
+    void rollsOnAsItIsPulledBackOverAFloorWithoutPressure();
     void bouncesOffTheUndersideOfTheFloor();
     void spinsInACornerHoweverLittleItsWallsRub_data();
     void spinsInACornerHoweverLittleItsWallsRub();
@@ -137,6 +140,39 @@ void ExactBoxes::restsOverACrackItIsTooSlowFor() {
     QVERIFY(std::abs(run.state.position.x - 0.5 * c) <= 4.0 * kU);
     QVERIFY(std::abs(run.state.position.z - std::sqrt(R * R - 0.25 * c * c)) <= 4.0 * kU);
     QVERIFY(run.state.flags & PHYS_AT_REST);
+}
+
+void ExactBoxes::rollsRoundBothEdgesOfAnInnerCornerAtOnce_data() {
+    QTest::addColumn<double>("off");
+    for (const double off : {0.0, 1e-15, 1e-14, 1e-13, 1e-12}) QTest::addRow("%g beside it", off) << off;
+}
+
+/// Into a pit along the diagonal over the corner of an L-shaped floor: the normals of its edges, at first the same,
+/// turn apart.
+void ExactBoxes::rollsRoundBothEdgesOfAnInnerCornerAtOnce() {
+    QFETCH(double, off);
+    for (int i = 0; i < 100; ++i) {
+        Run run({{{-30, -30, -9}, {0, 30, 0}}, {{-30, 2.5, -9}, {30, 30, 0}}}, 1.0, {-0.25 + off, 2.75, 1.0});
+        run.params.gravity = {0.25, -0.25, -1.0};
+        run.params.wall_friction = 0.0;
+        run.step(1.8 + 0.004 * i); // after 1.67 s it is at the corner
+        QVERIFY(std::abs(run.report.energy_after - run.report.energy_before) <= 1e-11);
+        QVERIFY(std::abs(run.state.velocity.x + run.state.velocity.y) <= 1e-8);
+    }
+}
+
+/// Horizontal gravity: beyond the floor's edge the ball falls along it, over the floor it rolls.
+void ExactBoxes::rollsOnAsItIsPulledBackOverAFloorWithoutPressure() {
+    for (int i = 0; i < 200; ++i) {
+        const double x = 2.001 + 0.005 * i, speed = 0.25, g = 0.75, time = 4.0;
+        Run run({{{-30, -30, -1}, {2, 30, 0}}}, 1.0, {x, 0, 1}, {speed, 0, 0});
+        run.params.gravity = {-g, 0, 0};
+        run.params.restitution_wall = 1.0;
+        run.step(time);
+        const double back = std::sqrt(speed * speed + 2.0 * g * (x - 2.0)), rolls = time - (speed + back) / g;
+        QVERIFY(std::abs(run.state.position.x - (2.0 - rolls * (back + 5.0 / 14.0 * g * rolls))) <= 1e-11);
+        QCOMPARE(run.state.velocity.z, 0.0);
+    }
 }
 
 void ExactBoxes::bouncesOffTheUndersideOfTheFloor() {
