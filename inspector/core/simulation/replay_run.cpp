@@ -49,6 +49,7 @@ void ReplayRun::step(Clock::time_point due) {
         m_presentation.followDt();
         noteStep();
     }
+    tellDifference();
     const bool isDifferent = differenceAt() == m_player.position();
     if (isDifferent || m_player.position() == m_player.end()) m_presentation.setRunning(false);
     m_presentation.publish(due);
@@ -118,14 +119,19 @@ bool ReplayRun::showAt(uint64_t position) {
 // ---- checking ----
 
 void ReplayRun::checkAhead() {
-    const bool wasSame = !m_player.difference();
     Clock::time_point end = Clock::now() + kCheckSlice;
     if (m_presentation.isRunning()) end = std::min(end, m_presentation.deadline());
     do {
         for (int i = 0; i < kStepsPerLook; ++i) m_player.check();
     } while (!isChecked() && Clock::now() < end);
     if (!m_presentation.isRunning()) m_presentation.publish(Clock::now());
-    if (wasSame && m_player.difference()) emit m_presentation.owner().differenceFound(m_number, *m_player.difference());
+    tellDifference();
+}
+
+/// Found by a check, or by a step that was due before it was checked ahead, as happens on a busy machine.
+void ReplayRun::tellDifference() {
+    if (!m_player.difference() || std::exchange(m_hasToldDifference, true)) return;
+    emit m_presentation.owner().differenceFound(m_number, *m_player.difference());
 }
 
 } // namespace inspector

@@ -58,10 +58,12 @@ private:
     };
     std::optional<uint64_t> differenceAt() const;
     void noteStep();
+    void tellDifference();
 
     uint64_t m_number;
     std::optional<Seek> m_sought{};
     uint64_t m_seeks = 0; ///< number of the last one done
+    bool m_hasToldDifference = false;
 };
 
 } // namespace inspector

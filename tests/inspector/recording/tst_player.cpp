@@ -37,6 +37,7 @@ private slots:
     void aFineGhostDoesntKeepASeekFromBeingReplaced();
     void stepBackAndForwardAreOneStep();
     void replayPausesAtTheFirstDifference();
+    void differenceIsToldWhenStepsAreAheadOfTheChecks();
     void replayOfItsEndBeginsAgain();
     void goingOnGivesTheBitsOfAnEngineFromThere();
     void liveBallIsWhereItWasAfterAReplay();
@@ -46,6 +47,7 @@ private:
     QString path(const char *name) const { return m_folder->filePath(name); }
     std::shared_ptr<const PlayableRecording> opened() const;
     void recordManyThings() const;
+    void recordSteps(int steps, double dt) const;
 
     std::unique_ptr<QTemporaryDir> m_folder;
 };
@@ -123,6 +125,18 @@ void TestPlayer::recordManyThings() const {
     recorder.close();
 }
 
+// Of the default stepper on a tilted board.
+void TestPlayer::recordSteps(int steps, double dt) const {
+    const Scene scene = levelScene(1);
+    Recorder recorder(path("r"));
+    recorder.setOrigin(originOf(makeRegistry(nullptr), PHYS_STEPPER_DEFAULT, kMaze1));
+    Engine engine(scene, defaultStepper(scene));
+    engine.setDt(dt);
+    engine.setInputs(tilted(3.0, 2.0));
+    stepRecorded(engine, recorder, steps);
+    recorder.close();
+}
+
 void TestPlayer::everyStepForwardsHasItsHash() {
     recordManyThings();
     const auto recording = opened();
@@ -187,15 +201,7 @@ void TestPlayer::stateBeforeAndReportAreThoseOfTheStep() {
 }
 
 void TestPlayer::seekTakesAtMostTheIntervalOfKeyframes() {
-    const Registry registry = makeRegistry(nullptr);
-    const Scene scene = levelScene(1);
-    {
-        Recorder recorder(path("r"));
-        recorder.setOrigin(originOf(registry, PHYS_STEPPER_DEFAULT, kMaze1));
-        Engine engine(scene, makeStepper(registry, PHYS_STEPPER_DEFAULT, scene, nullptr));
-        engine.setInputs(tilted(3.0, 2.0));
-        stepRecorded(engine, recorder, 1000000);
-    }
+    recordSteps(1000000, 0.01);
     const auto recording = opened();
     Player player = checkedPlayer(recording);
     QCOMPARE(player.checked(), uint64_t(1000000));
@@ -352,21 +358,14 @@ void TestPlayer::seekShowsTheSamplesOfTheRunUpToThere() {
 
 // A step of this ghost takes about a millisecond, and the first position is ten thousand steps away.
 void TestPlayer::aFineGhostDoesntKeepASeekFromBeingReplaced() {
-    const Registry registry = makeRegistry(nullptr);
-    const Scene scene = levelScene(1);
-    {
-        Recorder recorder(path("r"));
-        recorder.setOrigin(originOf(registry, PHYS_STEPPER_DEFAULT, kMaze1));
-        Engine engine(scene, makeStepper(registry, PHYS_STEPPER_DEFAULT, scene, nullptr));
-        engine.setInputs(tilted(3.0, 1.0));
-        stepRecorded(engine, recorder, 20000);
-    }
+    recordSteps(20000, 0.01);
     const auto simulation = simulationOnLevel1();
     const auto recording = opened();
     simulation->startReplay(recording);
     QTRY_VERIFY(simulation->latest().replay.isChecked);
     QString error;
-    const auto setup = makeGhostSetup(registry, {"exact", GhostChoice::kMostSubsteps}, recording->scene(0), &error);
+    const auto setup =
+        makeGhostSetup(recording->registry(), {"exact", GhostChoice::kMostSubsteps}, recording->scene(0), &error);
     QVERIFY2(setup, qPrintable(error));
     simulation->compareWith(*setup, PHYS_STEPPER_DEFAULT);
     QSignalSpy ran(simulation.get(), &Simulation::runningChanged);
@@ -423,6 +422,25 @@ void TestPlayer::replayPausesAtTheFirstDifference() {
     QCOMPARE(simulation->latest().replay.difference, std::optional<uint64_t>(24));
     simulation->run(); // continues if the user wants it
     QTRY_VERIFY(simulation->latest().replay.position > 24);
+}
+
+// Steps of 1 us are always due, so that nothing is checked ahead any more; a busy machine has as little time for
+// that.
+void TestPlayer::differenceIsToldWhenStepsAreAheadOfTheChecks() {
+    constexpr uint64_t kLast = 200000;
+    recordSteps(int(kLast), 1e-6);
+    Recording text = *readRecording(path("r"), makeRegistry(nullptr), nullptr);
+    text.segments.back().hashes.back() ^= 1;
+    const auto simulation = simulationOnLevel1();
+    QStringList told;
+    connect(simulation.get(), &Simulation::differenceFound, this, [&] { told << "found"; });
+    connect(simulation.get(), &Simulation::differenceReached, this, [&] { told << "reached"; });
+    simulation->setSpeed(Simulation::kFastest);
+    simulation->startReplay(PlayableRecording::make(text, makeRegistry(nullptr), {}, nullptr));
+    simulation->run();
+    QTRY_COMPARE_WITH_TIMEOUT(simulation->latest().replay.position, kLast, 60000); // only ends what hangs
+    QTRY_VERIFY(!simulation->latest().running);
+    QTRY_COMPARE(told, (QStringList{"found", "reached"}));
 }
 
 void TestPlayer::replayOfItsEndBeginsAgain() {
