@@ -116,7 +116,8 @@ int runWithWindow(const Options &options, QTextStream &messages) {
     if (!isWritten) report(messages, QStringLiteral("--csv: ") + error);
     const bool isRemembered = areWritten(settings, settingsProblem, messages);
     const SampleRing &samples = session->simulation().samples();
-    if (!options.csv.isEmpty() && isPartial(samples)) report(messages, QStringLiteral("--csv: ") + spanOf(samples));
+    if (!options.csv.isEmpty() && samples.hasLostSamples())
+        report(messages, QStringLiteral("--csv: ") + spanOf(samples));
     if (endingSignal()) return statusAfter(endingSignal());
     const bool isAllKept = isWritten && isRemembered && (isRecorded || options.record.isEmpty());
     return isAllKept ? status : std::max(status, 1);

@@ -87,7 +87,6 @@ QString spanOf(const SampleRing &samples, double since) {
     if (!isThere) return QStringLiteral("no samples");
     QStringList parts{QStringLiteral("samples from %1 s to %2 s").arg(first.time).arg(last.time)};
     if (samples.hasLostSamples()) parts += QStringLiteral("earlier ones aren't kept");
-    if (samples.isCut()) parts += QStringLiteral("later ones aren't kept");
     return parts.join(QStringLiteral("; "));
 }
 
@@ -96,8 +95,6 @@ bool hasValues(const SampleRing &samples, Channel channel, double since) {
     const std::vector<Column> all = samples.columns(channel, since, kEver, 1);
     return std::any_of(all.begin(), all.end(), [](const Column &one) { return !std::isnan(one.min); });
 }
-
-bool isPartial(const SampleRing &samples) { return samples.hasLostSamples() || samples.isCut(); }
 
 QByteArray csvHeader(const std::vector<Channel> &channels) {
     QByteArray line = "time [s],step";

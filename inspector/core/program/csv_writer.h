@@ -25,8 +25,6 @@ QByteArray withVariedTilt(const QByteArray &settings);
 /// Describes which of the run's samples from `since` on, s, the ring still has: "samples from 12.3 s to 20 s; earlier
 /// ones aren't kept" and the like.
 QString spanOf(const SampleRing &samples, double since = -HUGE_VAL);
-/// Whether some of the run's samples are missing; spanOf() then describes which.
-bool isPartial(const SampleRing &samples);
 /// Whether any sample from `since` on has a value of this channel.
 bool hasValues(const SampleRing &samples, Channel channel, double since);
 enum class Columns { Ball, BallAndGhost, All }; ///< without the comparison's columns, with them, or every channel

@@ -9,9 +9,8 @@ namespace inspector {
 
 namespace {
 
-/// The number of steps of an earlier run, and of a ghost beside it, that are repeated for plots and trails; this takes
-/// a moment.
-constexpr uint64_t kStepsOfARun = 100000;
+/// The number of steps of a ghost that are repeated beside an earlier run.
+constexpr uint64_t kGhostSteps = 100000;
 
 } // namespace
 
@@ -38,13 +37,17 @@ void PastRun::step(Clock::time_point due) {
 }
 
 bool PastRun::showAt(uint64_t offset) {
-    show(std::min(m_past.begin + offset, m_past.end()));
-    const uint64_t wanted = m_past.beginOfRun(place());
-    if (wanted != std::max(m_shownRun, m_past.begin)) refillSamples(wanted);
+    const uint64_t place = std::min(m_past.begin + offset, m_past.end());
+    const uint64_t run = m_past.beginOfRun(place);
+    if (run != firstKept(m_shownRun) && !refill(run)) return false;
+    show(place);
     return true;
 }
 
-void PastRun::goTo(uint64_t offset) { showAt(offset); }
+void PastRun::goTo(uint64_t offset) {
+    while (!showAt(offset)) {
+    }
+}
 
 void PastRun::show(uint64_t place) {
     const uint64_t position = m_past.positionOf(place);
@@ -54,34 +57,42 @@ void PastRun::show(uint64_t place) {
         m_player.seek(position);
 }
 
-/// Repeats the run from its beginning to its end, beside a ghost like the present one; the player returns to where it
-/// was.
-void PastRun::refillSamples(uint64_t first) {
-    const uint64_t shown = place();
-    const uint64_t end = std::min(m_past.endOfRun(first), first + kStepsOfARun);
+// ---- repeating a run ----
+
+void PastRun::beginRefill(uint64_t run) {
+    m_shownRun = kNoRun;
+    m_refill.emplace(Refill{run, m_past.endOfRun(run), run == firstKept(m_live.beginPlace())});
     m_presentation.hold();
     m_presentation.clear();
-    show(first);
-    const bool isLive = first == std::max(m_live.beginPlace(), m_past.begin);
-    std::optional<GhostEngine> ghost;
-    uint64_t ghostSteps = 0;
     m_met.reset();
-    while (place() < end) {
-        if (!ghost && ghostSteps == 0 && m_presentation.ghostBeginsAt(engine().state(), isLive)) {
-            ghost = m_presentation.ghostOf(engine(), leaderId());
-            m_met = engine().state();
-        }
-        if (!m_player.next()) break;
-        Sample sample = m_presentation.sample();
-        if (ghost) ghostSteps += follow(*ghost, sample);
-        if (ghostSteps > kStepsOfARun) ghost.reset();
-        m_presentation.samples().append(sample);
-        m_presentation.noteEvents();
-    }
-    if (end < m_past.endOfRun(first)) m_presentation.samples().cut();
-    show(shown);
+    show(run);
+}
+
+/// Repeats part of the run; true when done. The player is then at the run's end.
+bool PastRun::refill(uint64_t run) {
+    if (!m_refill || m_refill->run != run) beginRefill(run);
+    const Clock::time_point until = Clock::now() + kShowSlice;
+    while (place() < m_refill->end && addStep())
+        if (place() < m_refill->end && Clock::now() >= until) return false;
     m_presentation.release();
-    m_shownRun = first;
+    m_refill.reset();
+    m_shownRun = run;
+    return true;
+}
+
+bool PastRun::addStep() {
+    auto &[run, end, isLive, ghost, ghostSteps] = *m_refill;
+    if (!ghost && ghostSteps == 0 && m_presentation.ghostBeginsAt(engine().state(), isLive)) {
+        ghost = m_presentation.ghostOf(engine(), leaderId());
+        m_met = engine().state();
+    }
+    if (!m_player.next()) return false;
+    Sample sample = m_presentation.sample();
+    if (ghost) ghostSteps += follow(*ghost, sample);
+    if (ghostSteps > kGhostSteps) ghost.reset();
+    m_presentation.samples().append(sample);
+    m_presentation.noteEvents();
+    return true;
 }
 
 /// Returns the number of steps that it makes.
@@ -92,12 +103,11 @@ uint64_t PastRun::follow(GhostEngine &ghost, Sample &sample) const {
 }
 
 void PastRun::showLiveRun() {
-    const uint64_t begin = std::max(m_live.beginPlace(), m_past.begin);
-    if (begin == std::max(m_shownRun, m_past.begin)) return;
-    if (m_live.beginPlace() < m_live.history().end())
-        refillSamples(begin);
-    else
-        m_presentation.clear();
+    const uint64_t run = firstKept(m_live.beginPlace());
+    if (run == firstKept(m_shownRun)) return;
+    if (m_live.beginPlace() == m_live.history().end()) return m_presentation.clear();
+    while (!refill(run)) {
+    }
 }
 
 /// Called when the live ball has been put where this one is.

@@ -14,7 +14,6 @@ namespace {
 constexpr uint64_t kStepsBefore = 10000; ///< the 10 s of a plot at 1 ms
 /// A replay is checked ahead in slices, between which steps and commands are handled.
 constexpr std::chrono::milliseconds kCheckSlice{1};
-constexpr std::chrono::milliseconds kShowSlice{20};
 constexpr int kStepsPerLook = 32; ///< steps between two looks at the clock
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 

@@ -5,6 +5,7 @@
 #include "core/recording/player.h"
 #include "core/simulation/live_run.h"
 
+#include <chrono>
 #include <optional>
 
 namespace inspector {
@@ -42,6 +43,9 @@ public:
     void checkAhead(); ///< checks part of it while no step is due
 
 protected:
+    /// A position is shown in slices of this length, between which commands are handled.
+    static constexpr std::chrono::milliseconds kShowSlice{20};
+
     /// Does part of showing this position, before which everything is checked; true when done.
     virtual bool showAt(uint64_t position);
     const QByteArray &leaderId() const {

@@ -6,7 +6,6 @@
 #include "core/engine/sample.h"
 #include "core/engine/slot_ring.h"
 
-#include <atomic>
 #include <vector>
 
 namespace inspector {
@@ -29,11 +28,7 @@ public:
 
     /// Writer only. Times must not decrease between two clear().
     void append(const Sample &sample);
-    void clear() {
-        m_samples.clear();
-        m_isCut = false;
-    }
-    void cut() { m_isCut = true; } ///< the run goes on after the last sample; until clear()
+    void clear() { m_samples.clear(); }
     void truncate(uint64_t number) { m_samples.truncate(number); }
     void hold() { m_samples.hold(); }
     void release() { m_samples.release(); }
@@ -44,7 +39,6 @@ public:
     uint64_t last() const { return m_samples.last(); }
     /// Whether samples since the last clear() were overwritten; first() doesn't tell, as numbers never restart.
     bool hasLostSamples() const { return first() > m_samples.firstOfGeneration(); }
-    bool isCut() const { return m_isCut; }
     uint64_t generation() const { return m_samples.generation(); } ///< changes when readers must start over
     bool read(uint64_t number, Sample &out) const { return m_samples.read(number, out); }
     /// Number of the first sample whose time is at least `time`; last() if there is none.
@@ -82,7 +76,6 @@ private:
 
     SlotRing<Sample> m_samples;
     std::vector<Level> m_levels;
-    std::atomic<bool> m_isCut{false};
 };
 
 } // namespace inspector

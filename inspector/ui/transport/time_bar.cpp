@@ -148,6 +148,8 @@ void TimeBar::showRun(const Snapshot &now) {
         m_slider->setMaximum(notchOf(run.end - run.begin));
         m_slider->setValue(notchOf(run.place - run.begin));
     }
+    const bool isShown = run.begin <= now.history.place && now.history.place <= run.end;
+    if (!isShown) return m_place->setText(tr("Repeating the run…")); // a long one takes a moment
     const QString time = tr("%1 s · step %2").arg(now.current.time, 0, 'f', 3).arg(now.current.step);
     const uint64_t lastStep = firstStepOf(run, now) + run.end - run.begin;
     const QString place = m_session.isInPast() ? tr("%1 of %2").arg(time).arg(lastStep) : time;

@@ -70,7 +70,7 @@ QString remarkOnSaved(Session &session, const QString &path) {
     QStringList remarks;
     if (isOfKind(".rec")) remarks = remarksOnRecording(session);
     const SampleRing &samples = session.simulation().samples();
-    if (isOfKind(".csv") && isPartial(samples)) remarks += spanOf(samples);
+    if (isOfKind(".csv") && samples.hasLostSamples()) remarks += spanOf(samples);
     return remarks.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(path, remarks.join(QStringLiteral("; ")));
 }
 

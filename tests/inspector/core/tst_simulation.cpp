@@ -37,6 +37,8 @@ private slots:
     void leavingTheMazeIsReportedOnceAndTheFallEnds();
     void samplesGoOnToTheEndOfTheFall();
     void pilotOnTheThreadGivesTheSameBitsAsByHand();
+    void commandsAreObeyedWhileAnEarlierRunIsRepeated();
+    void samplesOfALongRunAreThereAgainAfterALookAtAnother();
     void deletingARunningSimulationEndsItsThread();
 };
 
@@ -71,6 +73,24 @@ void waitBlocked(const Simulation &simulation, uint64_t samples) {
     while (simulation.samples().last() < samples && !deadline.hasExpired()) QThread::yieldCurrentThread();
     QVERIFY(simulation.samples().last() >= samples);
 }
+
+// One that can show its past.
+std::unique_ptr<Simulation> simulationWithHistory() {
+    const Scene scene = levelScene(1);
+    const Origin origin = originOf(makeRegistry(nullptr), PHYS_STEPPER_DEFAULT, LEVELS_FOLDER "/01.txt");
+    return std::make_unique<Simulation>(scene, defaultStepper(scene), origin);
+}
+
+// Of 200,000 steps or some more, made as fast as can be.
+void makeLongRun(Simulation &simulation) {
+    simulation.setDt(1e-6);
+    simulation.run();
+    waitBlocked(simulation, simulation.samples().last() + 200000);
+    simulation.pause();
+    QTRY_VERIFY(!simulation.latest().running);
+}
+
+uint64_t samplesIn(const Simulation &simulation) { return simulation.samples().last() - simulation.samples().first(); }
 
 class ShiftingPilot : public Pilot {
 public:
@@ -354,6 +374,43 @@ void TestSimulation::pilotOnTheThreadGivesTheSameBitsAsByHand() {
     engine->setPilot(pilot);
     while (engine->state().step < reached.step) QVERIFY(engine->step(nullptr));
     QCOMPARE(phys_state_hash(&engine->state()), phys_state_hash(&reached));
+}
+
+// Two commands, one after the other: the first may come together with the request for the earlier run.
+void TestSimulation::commandsAreObeyedWhileAnEarlierRunIsRepeated() {
+    const auto simulation = simulationWithHistory();
+    makeLongRun(*simulation);
+    const uint64_t samples = samplesIn(*simulation);
+    simulation->restart();
+    simulation->stepOnce();
+    const std::optional<Past> past = simulation->past(nullptr);
+    QVERIFY(past);
+    const Received<bool> obeyed(*simulation, &Simulation::runningChanged);
+    simulation->lookBack(*past);
+    const uint64_t seek = simulation->seek(5);
+    simulation->run();
+    QTRY_COMPARE(obeyed.count(), 1);
+    simulation->pause();
+    QTRY_COMPARE(obeyed.count(), 2);
+    QVERIFY(simulation->latest().replay.seeks < seek);
+    QTRY_COMPARE_WITH_TIMEOUT(simulation->latest().replay.seeks, seek, 60000); // only ends what hangs
+    QCOMPARE(simulation->latest().replay.position, uint64_t(5));
+    QCOMPARE(samplesIn(*simulation), samples);
+}
+
+void TestSimulation::samplesOfALongRunAreThereAgainAfterALookAtAnother() {
+    const auto simulation = simulationWithHistory();
+    simulation->stepOnce();
+    simulation->restart();
+    makeLongRun(*simulation);
+    const uint64_t samples = samplesIn(*simulation);
+    const std::optional<Past> past = simulation->past(nullptr);
+    QVERIFY(past);
+    simulation->lookBack(*past);
+    simulation->seek(0);
+    QTRY_COMPARE(samplesIn(*simulation), uint64_t(1));
+    simulation->returnToPresent();
+    QTRY_COMPARE_WITH_TIMEOUT(samplesIn(*simulation), samples, 60000); // only ends what hangs
 }
 
 void TestSimulation::deletingARunningSimulationEndsItsThread() {

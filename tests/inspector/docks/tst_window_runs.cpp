@@ -7,6 +7,7 @@
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/transport/time_bar.h"
 #include "ui/window/board_picture.h"
 #include "ui/window/save_run.h"
 #include "window_fixture.h"
@@ -44,6 +45,7 @@ private slots:
     void recordingWithoutStepsIsNotSaved_data();
     void recordingWithoutStepsIsNotSaved();
     void everyRunIsShownFromItsFirstState();
+    void barSaysThatAnotherRunIsBeingRepeated();
     void takenOverTiltEndsWithTheRun();
     void tiltSetByHandOutlivesARunTakenOver();
     void onlyTheLiveRunIsThePresentOne();
@@ -328,6 +330,17 @@ void TestWindowRuns::everyRunIsShownFromItsFirstState() {
     QTRY_VERIFY(isAt(10));
     m_fixture->session().lookAt(m_fixture->session().runPlace().end + 1);
     QTRY_VERIFY(isAt(0));
+}
+
+void TestWindowRuns::barSaysThatAnotherRunIsBeingRepeated() {
+    restart();
+    m_fixture->makeSteps(5);
+    const inspector::Snapshot before = m_fixture->simulation().latest();
+    m_fixture->session().lookAt(0);
+    auto *bar = m_fixture->find<inspector::ui::TimeBar>("time_bar");
+    bar->refresh(before); // as long as nothing newer is shown
+    QCOMPARE(placeText(), QString("Repeating the run…"));
+    QTRY_COMPARE(placeText(), QString("0.000 s · step 0 of 30"));
 }
 
 void TestWindowRuns::takenOverTiltEndsWithTheRun() {

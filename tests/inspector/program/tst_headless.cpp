@@ -39,7 +39,6 @@ private slots:
     void timeOfWinningIsSaidWhenTheRunGoesOn();
     void rowThatLacksAValueHasNoBlanks();
     void lostSamplesAreTold();
-    void samplesThatWereNotMadeAgainAreTold();
     void samplesOfAnEarlierRunAreNotMissed();
     void progressOfAFitIsALineAndIsErased();
     void columnsWithoutAnyValueAreLeftOut();
@@ -296,16 +295,6 @@ void TestHeadless::lostSamplesAreTold() {
     QCOMPARE(spanOf(samples), QString("samples from 0.01 s to 2 s"));
     append(samples, 201, 300);
     QVERIFY2(spanOf(samples).endsWith(" s to 3 s; earlier ones aren't kept"), qPrintable(spanOf(samples)));
-}
-
-void TestHeadless::samplesThatWereNotMadeAgainAreTold() {
-    SampleRing samples(256);
-    append(samples, 1, 200);
-    samples.cut();
-    QCOMPARE(spanOf(samples), QString("samples from 0.01 s to 2 s; later ones aren't kept"));
-    samples.clear();
-    append(samples, 1, 200);
-    QVERIFY(!isPartial(samples));
 }
 
 void TestHeadless::samplesOfAnEarlierRunAreNotMissed() {
