@@ -54,6 +54,7 @@ QComboBox *TransportBar::addChooser(const QString &label, const char *name, cons
     chooser->setAccessibleName(label);
     chooser->setAccessibleDescription(tip);
     chooser->setFocusPolicy(Qt::TabFocus);
+    chooser->setSizeAdjustPolicy(QComboBox::AdjustToContents); // not only to those of its first show
     addWidget(text);
     addWidget(chooser);
     return chooser;

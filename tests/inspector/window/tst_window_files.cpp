@@ -53,6 +53,7 @@ private slots:
     void mazeThatBecameWrongLeavesTheOpenOne();
     void mazeWrittenWithTheSameBytesGoesOn();
     void pluginsStepperCanBeChosen();
+    void pluginsStepperIsShownInFull();
     void fileThatIsNoPluginIsRefusedInOneLine();
     void guideOpensByKeyAndIsSearched();
     void lettersTypedIntoAPageAreSought();
@@ -400,6 +401,24 @@ void TestWindowFiles::pluginsStepperCanBeChosen() {
     m_fixture->answerFile(ADAPTIVE_DRAG);
     QTRY_VERIFY2(line().contains("adaptive-drag"), qPrintable(line()));
     QCOMPARE(steppers->count(), count);
+}
+
+void TestWindowFiles::pluginsStepperIsShownInFull() {
+    m_fixture->trigger("load_plugin");
+    m_fixture->answerFile(ADAPTIVE_DRAG);
+    auto *steppers = m_fixture->find<QComboBox>("stepper");
+    QTRY_VERIFY(steppers->findData(QByteArray("adaptive-drag")) >= 0);
+    steppers->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(steppers, Qt::Key_End);
+    const auto room = [steppers] {
+        QStyleOptionComboBox option;
+        option.initFrom(steppers);
+        return steppers->style()
+            ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, steppers)
+            .width();
+    };
+    QTRY_VERIFY2(room() >= steppers->fontMetrics().horizontalAdvance(steppers->currentText()),
+                 qPrintable(QString::number(room())));
 }
 
 void TestWindowFiles::fileThatIsNoPluginIsRefusedInOneLine() {
