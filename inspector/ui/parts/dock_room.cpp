@@ -51,7 +51,7 @@ DockRoom::DockRoom(QMainWindow &window, const QWidget &view)
 DockRoom::Side DockRoom::seen(Qt::DockWidgetArea area) const {
     Side side;
     QRect all;
-    for (QDockWidget *dock : m_window.findChildren<QDockWidget *>()) {
+    for (QDockWidget *dock : m_window.findChildren<QDockWidget *>(Qt::FindDirectChildrenOnly)) {
         if (m_window.dockWidgetArea(dock) != area || dock->isFloating() || dock->isHidden()) continue;
         side.docks += dock;
         if (isSeen(dock)) all |= placeOf(*dock);

@@ -247,7 +247,7 @@ void MainWindow::refresh() {
     sayIfSettingsAreLost();
     const Snapshot now = m_session.simulation().latest(); // the same moment for the whole window
     m_session.followReplay(now);
-    action("run")->setEnabled(!m_session.hasEnded(now));
+    m_run->setEnabled(!m_session.hasEnded(now));
     m_status->showSnapshot(now, m_session.scene().get());
     m_time->refresh(now);
     m_strip->setText(gameText(m_session, now));
@@ -261,8 +261,8 @@ void MainWindow::refresh() {
 }
 
 void MainWindow::showRunning(bool isRunning) {
-    action("run")->setIcon(glyphIcon(isRunning ? Glyph::Pause : Glyph::Run));
-    action("run")->setText(isRunning ? tr("Pause") : tr("Run"));
+    m_run->setIcon(glyphIcon(isRunning ? Glyph::Pause : Glyph::Run));
+    m_run->setText(isRunning ? tr("Pause") : tr("Run"));
 }
 
 void MainWindow::showComparison() {

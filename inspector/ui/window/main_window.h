@@ -252,6 +252,7 @@ private:
     TrackDock *m_track = nullptr;
     TradeDock *m_trade = nullptr;
     BounceDock *m_bounces = nullptr;
+    QAction *m_run = nullptr;
     QAction *m_showsBounces = nullptr;
     TransportBar *m_transport = nullptr;
     TimeBar *m_time = nullptr;

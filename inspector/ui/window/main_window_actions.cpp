@@ -175,6 +175,7 @@ void MainWindow::makeActions() {
     action("others_ahead")->setCheckable(true);
     action("copy_to_ghost")->setIconText(tr("Copy")); // for buttons
     action("swap_with_ghost")->setIconText(tr("Swap"));
+    m_run = action("run");
     m_showsBounces = action("bounces");
     m_showsBounces->setCheckable(true);
     m_showsBounces->setChecked(m_session.settings().value(settings_keys::kShowBounces, true).toBool());
