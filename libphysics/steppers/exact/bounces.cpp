@@ -253,11 +253,13 @@ bool skipSlip(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts) 
     const Motion given = ball.motion;
     ball.motion.velocity = series.along;
     rub(face, impulse, -0.5, ball);
-    const Resisted phase = Resisted::slipping(axisOf(face), ball.motion.velocity, slipAt(ball.moment(), face.normal),
-                                              series.pull, friction, ball.radius(), ball.motion.spin, face.normal);
+    const Moment moment = ball.moment();
+    const Resisted phase =
+        Resisted::slipping(moment, {0, axisOf(face), face.normal}, slipAt(moment, face.normal), friction);
     const Vec3 pull = series.pull;
     series.pull += friction * hat(pull == Vec3(0.0) ? series.along : pull);
-    const double free = std::min(freeTime(series, obstacles, ball.radius()), phase.end().after - 4.0 * flight);
+    const double free =
+        std::min(freeTime(series, obstacles, ball.radius()), phase.end(ball.left, ball.work).after - 4.0 * flight);
     const double most = std::min(free, ball.left) / flight;
     const double count = std::floor(std::min(most, kLower / (1.0 - face.restitution)));
     if (!(count >= kFew)) {

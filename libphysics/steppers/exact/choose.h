@@ -32,8 +32,4 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice, Slips s
 /// Whether b is parallel to a, in either direction, up to rounding.
 bool isCollinear(const Vec3 &a, const Vec3 &b);
 
-/// The closed lasting contact if there is exactly one, besides idle faces opposite to it, and it is a face; otherwise
-/// kMostHeld.
-uint32_t onlyFace(const Touching &touching, const Response &response);
-
 } // namespace phys

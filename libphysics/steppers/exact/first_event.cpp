@@ -17,12 +17,6 @@ End ownEnd(const P &phase, const Touching &, const Response &, MovingBall &ball)
     return phase.end(ball.left, ball.work);
 }
 
-End ownEnd(const Resisted &phase, const Touching &touching, const Response &response, MovingBall &) {
-    End end = phase.end();
-    end.contact = onlyFace(touching, response);
-    return end;
-}
-
 End ownEnd(const Uniform &phase, const Touching &touching, const Response &response, MovingBall &ball) {
     End end;
     for (uint32_t i = 0; i < touching.count(); ++i) {

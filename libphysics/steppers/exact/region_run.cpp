@@ -22,6 +22,7 @@ namespace phys {
 namespace {
 
 const Vec3 kUp(0.0, 0.0, 1.0);
+const Resisted::Face kFloor{0, 2, kUp};
 
 class RegionRun {
 public:
@@ -65,14 +66,20 @@ private:
     uint32_t boxAt(int axis) const { return sideOf(axis) > 0 ? range(axis).lowBox : range(axis).highBox; }
     double placeAt(int axis) const { return sideOf(axis) > 0 ? range(axis).lowFace : range(axis).highFace; }
 
+    template<class Phase>
+    End endOf(const Phase &phase) {
+        return phase.end(m_ball.left, m_ball.work);
+    }
+
     /// The ball rolls or glides.
     void moveFreely() {
-        const Vec3 velocity = m_ball.motion.velocity, drive(m_pull.drive(), 0.0);
-        const double B = m_pull.resistance(), R = m_ball.radius();
-        if (B == 0.0) return runOn(uniform(drive), End());
-        if (!m_pull.turns(inPlane(velocity), B)) return rollStraight();
-        const Resisted phase = Resisted::rolling(2, velocity, drive, B, R, m_spin, kUp);
-        return runOn(phase, phase.end());
+        const double B = m_pull.resistance();
+        if (B == 0.0) return runOn(uniform(Vec3(m_pull.drive(), 0.0)), End());
+        if (!m_pull.turns(inPlane(m_ball.motion.velocity), B)) return rollStraight();
+        Moment moment = m_ball.moment();
+        moment.spin = m_spin;
+        const Resisted phase = Resisted::rolling(moment, kFloor, B);
+        return runOn(phase, endOf(phase));
     }
 
     /// Along the drive, until resistance stops the ball.
@@ -95,9 +102,8 @@ private:
         const Vec3 slip = slipAt(moment, kUp);
         const double friction = m_ball.params().sliding_friction * m_pull.pressure;
         if (!(glm::length(slip) > kLeast * speedScale(moment)) || !m_pull.turns(inPlane(slip), friction)) return;
-        const Resisted phase =
-            Resisted::slipping(2, moment.velocity, slip, m_level, friction, m_ball.radius(), moment.spin, kUp);
-        const End end = phase.end();
+        const Resisted phase = Resisted::slipping(moment, kFloor, slip, friction);
+        const End end = endOf(phase);
         const Vec3 rolling =
             moment.velocity - 2.0 / 7.0 * slip + 5.0 / 7.0 * end.after * m_level; // velocity that is left
         if (!(end.after < m_ball.left) || glm::length(rolling) > kUnsure * speedScale(moment)) runOn(phase, end);
@@ -133,16 +139,18 @@ private:
         if (!(std::abs(turning) > kLeastTurn * glm::length(slip) * glm::length(rate))) return slipStraight(slip);
         const double rolling = moment.velocity[along] - 2.0 / 7.0 * slip[along]; // if the slip ends now
         const bool isUnsure = !(std::abs(rolling) > kUnsure * scale);
-        if (const auto closing = SlipEnd::of(moment, {0, kUp, slip, B}, {n, push, false})) {
-            const End end = closing->end(m_ball.left, m_ball.work);
+        const Held floor{kUp, kUp, params.sliding_friction, 0.0, false}, face{n, glm::abs(n), 0.0, 0.0, false};
+        const Reaction rubs{Mode::slipping, m_pull.pressure, Vec3(0.0), direction, slip};
+        const Reaction presses{Mode::smooth, push, push * n, Vec3(0.0), Vec3(0.0)};
+        const Lasting rough{0, floor, rubs}, smooth{1, face, presses};
+        if (const auto closing = SlipEnd::of(moment, rough, smooth)) {
+            const End end = endOf(*closing);
             Hit hit;
             if (isUnsure || !findHit(*closing, std::min(end.after, m_ball.left), hit)) return;
             if (end.after < m_ball.left && hit.after >= end.after) return runOn(*closing, end);
         }
-        const Reaction rough{Mode::slipping, m_pull.pressure, Vec3(0.0), direction, slip};
-        const Reaction smooth{Mode::smooth, push, push * n, Vec3(0.0), Vec3(0.0)};
-        const Slide phase(moment, {0, 1, 2, m_rests}, kUp, rough, params.sliding_friction, smooth);
-        const End end = phase.end(m_ball.left, m_ball.work);
+        const Slide phase(moment, rough, smooth);
+        const End end = endOf(phase);
         if (end.cause != Cause::grip || !isUnsure) runOn(phase, end);
     }
 

@@ -16,22 +16,28 @@ constexpr std::array kShort{Truncation{9, 0.02}, Truncation{12, 0.05}, Truncatio
 
 } // namespace
 
-Pendulum::Pendulum(const Moment &moment, const Edge &edge, double acceleration, double wanted)
+Pendulum::Pendulum(const Moment &moment, const Lasting &edge, const Vec3 &lasting)
     : m_moment(moment)
-    , m_edge(edge)
-    , m_lasting(moment.spin)
-    , m_acceleration(acceleration)
-    , m_gravity(glm::length(across(moment.gravity))) {
+    , m_edge(edge.contact)
+    , m_axis(edge.held.across.x == 0.0   ? 0
+             : edge.held.across.y == 0.0 ? 1
+                                         : 2)
+    , m_pressure(edge.reaction.pressure)
+    , m_lasting(lasting)
+    , m_gravity(glm::length(across(moment.gravity)))
+    , m_start(across(edge.held.normal)) {}
+
+Pendulum::Pendulum(const Moment &moment, const Lasting &edge, bool isFree, double wanted)
+    : Pendulum(moment, edge, moment.spin) {
+    if (isFree) m_acceleration = moment.gravity[m_axis];
     expand(1.0, wanted);
 }
 
-Pendulum::Pendulum(const Moment &moment, const Edge &edge, const Track &track, const Vec3 &heading, double wanted)
-    : m_moment(moment)
-    , m_edge(edge)
-    , m_track(track)
-    , m_lasting(glm::dot(moment.spin, track.normal) * track.normal)
-    , m_gravity(glm::length(across(moment.gravity))) {
-    m_resistance = std::copysign(track.resistance, glm::dot(quarterTurn(across(edge.normal)), across(heading)));
+Pendulum::Pendulum(const Moment &moment, const Lasting &edge, const Lasting &track, const Vec3 &heading, double wanted)
+    : Pendulum(moment, edge, glm::dot(moment.spin, track.held.normal) * track.held.normal) {
+    m_track = track.contact;
+    m_up = track.held.normal;
+    m_resistance = std::copysign(track.resistance(), glm::dot(quarterTurn(m_start), across(heading)));
     expand(5.0 / 7.0, wanted);
 }
 
@@ -42,7 +48,6 @@ void Pendulum::expand(double share, double wanted) {
     const double R = m_moment.radius;
     m_strength = share * drive();
     m_reach.unit = std::sqrt(R / m_strength);
-    m_start = across(m_edge.normal);
     m_pull = across(m_moment.gravity) / drive();
     m_against = m_resistance / drive();
     const auto fits = std::find_if(kShort.begin(), kShort.end(),
@@ -70,35 +75,32 @@ void Pendulum::expand(double share, double wanted) {
 
 Vec3 Pendulum::inSpace(const Vec2 &v, double along) const {
     Vec3 all;
-    all[m_edge.axis] = along;
-    all[(m_edge.axis + 1) % 3] = v.x;
-    all[(m_edge.axis + 2) % 3] = v.y;
+    all[m_axis] = along;
+    all[(m_axis + 1) % 3] = v.x;
+    all[(m_axis + 2) % 3] = v.y;
     return all;
 }
 
 Way Pendulum::at(double t) const {
-    const double s = t / m_reach.unit, R = m_moment.radius, speed = m_moment.velocity[m_edge.axis];
-    const Vec2 way = m_turned.at(s, m_last);
+    const double R = m_moment.radius, speed = m_moment.velocity[m_axis];
+    const Vec2 way = turnedAt(t);
     return {inSpace(R * way, t * (speed + 0.5 * m_acceleration * t)),
-            inSpace(R / m_reach.unit * m_rate.at(s, m_last) * quarterTurn(m_start + way), speed + m_acceleration * t)};
+            inSpace(R / m_reach.unit * rateAt(t) * quarterTurn(m_start + way), speed + m_acceleration * t)};
 }
 
 Place Pendulum::placeAt(double t) const {
-    const auto [way, velocity] = at(t);
-    if (!rolls()) return {way, velocity, m_lasting, t * m_lasting};
-    const double R = m_moment.radius;
-    return {way, velocity, m_lasting + glm::cross(m_track.normal, velocity) / R,
-            t * m_lasting + glm::cross(m_track.normal, way) / R};
+    const Way now = at(t);
+    if (!rolls()) return {now.way, now.velocity, m_lasting, t * m_lasting};
+    return rolledPlace(now, now, m_up, m_lasting, m_moment.radius, t);
 }
 
 /// The acceleration changes by at most three times the strength times w, and w is largest at one of the ends: the ball
 /// is slowest where it turns round or passes the top.
 double Pendulum::least(const Vec3 &n, double, double t, double until) const {
-    const double s = t / m_reach.unit, rate = m_rate.at(s, m_last);
-    const double fastest = std::max(std::abs(rate), std::abs(m_rate.at(until / m_reach.unit, m_last)));
-    const Vec2 normal = m_start + m_turned.at(s, m_last), tangent = quarterTurn(normal), along = across(n);
+    const double rate = rateAt(t), fastest = std::max(std::abs(rate), std::abs(rateAt(until)));
+    const Vec2 normal = m_start + turnedAt(t), tangent = quarterTurn(normal), along = across(n);
     const Vec2 acceleration = m_strength * ((glm::dot(m_pull, tangent) - m_against) * tangent - rate * rate * normal);
-    return glm::dot(along, acceleration) + n[m_edge.axis] * m_acceleration -
+    return glm::dot(along, acceleration) + n[m_axis] * m_acceleration -
            3.0 * m_strength * glm::length(along) * fastest * (until - t) / m_reach.unit;
 }
 
@@ -106,17 +108,17 @@ double Pendulum::least(const Vec3 &n, double, double t, double until) const {
 End Pendulum::end(double until, Work &work) const {
     const double s = std::min(until / m_reach.unit, m_reach.length);
     Jet pressure{};
-    pressure[0] = m_edge.pressure;
+    pressure[0] = m_pressure;
     for (int k = 1; k <= m_last; ++k) pressure[k] = -3.0 * drive() * glm::dot(m_pull, m_turned[k]);
     if (m_resistance != 0.0) {
         for (int k = 1; k <= m_last; ++k) pressure[k] += 2.0 * m_resistance * m_rate[k - 1] / k;
     }
     End end{horizon(), Cause::time, 0};
-    end.cut({m_reach.unit * firstFall(pressure, s, work), Cause::release, m_edge.contact});
+    end.cut({m_reach.unit * firstFall(pressure, s, work), Cause::release, m_edge});
     if (m_resistance == 0.0) return end;
     Jet speed;
     for (int k = 0; k <= kOrder; ++k) speed[k] = std::copysign(1.0, m_resistance) * m_rate[k];
-    end.cut({m_reach.unit * firstFall(speed, s, work), Cause::stop, m_track.contact});
+    end.cut({m_reach.unit * firstFall(speed, s, work), Cause::stop, m_track});
     return end;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "contact/modes.h"
 #include "shared/closed_form.h"
 
 #include <cstdint>
@@ -21,6 +22,27 @@ struct Place {
     Vec3 way, velocity, spin;
     Vec3 turning; ///< integral of the spin over the time
 };
+
+/// The place of a ball that turns as if it had come the way `rolls` rolling on a face with normal n. lasting: the part
+/// of the spin that nothing changes.
+inline Place rolledPlace(const Way &now, const Way &rolls, const Vec3 &n, const Vec3 &lasting, double radius,
+                         double t) {
+    return {now.way, now.velocity, lasting + glm::cross(n, rolls.velocity) / radius,
+            t * lasting + glm::cross(n, rolls.way) / radius};
+}
+
+/// A lasting contact as a phase takes it.
+struct Lasting {
+    uint32_t contact; ///< its number
+    const Held &held;
+    const Reaction &reaction;
+
+    double friction() const { return held.friction * reaction.pressure; }     ///< the most, m/s^2
+    double resistance() const { return held.resistance * reaction.pressure; } ///< m/s^2
+};
+
+/// The axis of a face's normal.
+inline int axisOf(const Held &face) { return face.across.x != 0.0 ? 0 : face.across.y != 0.0 ? 1 : 2; }
 
 /// How a phase ends by itself, regardless of obstacles.
 enum class Cause : uint8_t {

@@ -7,41 +7,40 @@
 namespace phys {
 
 Vec2 Resisted::onFace(const Vec3 &v) const {
-    if (m_axis == 2) return {v.x, v.y};
-    return {m_axis == 0 ? v.y : v.x, v.z};
+    if (m_face.axis == 2) return {v.x, v.y};
+    return {m_face.axis == 0 ? v.y : v.x, v.z};
 }
 
 Vec3 Resisted::inSpace(const Vec2 &v) const {
-    if (m_axis == 2) return {v.x, v.y, 0.0};
-    return m_axis == 0 ? Vec3(0.0, v.x, v.y) : Vec3(v.x, 0.0, v.y);
+    if (m_face.axis == 2) return {v.x, v.y, 0.0};
+    return m_face.axis == 0 ? Vec3(0.0, v.x, v.y) : Vec3(v.x, 0.0, v.y);
 }
 
-Resisted::Resisted(int axis, const Vec3 &velocity, const Vec3 &spin, const Vec3 &normal, const Vec3 &A, double B,
-                   double radius)
-    : m_axis(axis)
-    , m_velocity(velocity)
-    , m_spin(spin)
-    , m_normal(normal)
+Resisted::Resisted(const Moment &moment, const Face &face, double B, const Vec3 &A)
+    : m_face(face)
+    , m_velocity(moment.velocity)
+    , m_spin(moment.spin)
     , m_A(A)
     , m_B(B)
-    , m_radius(radius) {}
+    , m_radius(moment.radius) {
+    m_A[face.axis] = 0.0;
+}
 
-Resisted Resisted::rolling(int axis, const Vec3 &velocity, const Vec3 &A, double B, double radius, const Vec3 &spin,
-                           const Vec3 &normal) {
-    Resisted phase(axis, velocity, spin, normal, A, B, radius);
-    phase.m_law = ResistedLaw(phase.onFace(velocity), phase.onFace(A), B);
-    phase.m_most = length(phase.onFace(A)) + B;
+Resisted Resisted::rolling(const Moment &moment, const Face &face, double B) {
+    Resisted phase(moment, face, B, 5.0 / 7.0 * moment.gravity);
+    const Vec2 A = phase.onFace(phase.m_A);
+    phase.m_law = ResistedLaw(phase.onFace(moment.velocity), A, B);
+    phase.m_most = length(A) + B;
     return phase;
 }
 
 // v = q + (2/7) u, where q grows by (5/7) g_t whatever friction does, and u obeys the law of smooth motion.
-Resisted Resisted::slipping(int axis, const Vec3 &velocity, const Vec3 &slip, const Vec3 &gravity, double friction,
-                            double radius, const Vec3 &spin, const Vec3 &normal) {
-    Resisted phase(axis, velocity, spin, normal, gravity, 3.5 * friction, radius);
+Resisted Resisted::slipping(const Moment &moment, const Face &face, const Vec3 &slip, double friction) {
+    Resisted phase(moment, face, 3.5 * friction, moment.gravity);
     phase.m_slips = true;
-    phase.m_q = velocity - 2.0 / 7.0 * slip;
-    phase.m_qRate = 5.0 / 7.0 * gravity;
-    const Vec2 u = phase.onFace(slip), A = phase.onFace(gravity);
+    phase.m_q = moment.velocity - 2.0 / 7.0 * slip;
+    phase.m_qRate = 5.0 / 7.0 * phase.m_A;
+    const Vec2 u = phase.onFace(slip), A = phase.onFace(phase.m_A);
     phase.m_law = ResistedLaw(u, A, phase.m_B);
     const double a = length(A), speed = length(u);
     phase.m_most = a + friction;
@@ -67,14 +66,13 @@ Way Resisted::at(double t) const {
 
 Place Resisted::placeAt(double t) const {
     if (t == 0.0) return {Vec3(0.0), m_velocity, m_spin, Vec3(0.0)};
-    const ResistedLaw::Point &point = lawAt(t);
-    const Vec3 x = inSpace(point.x), v = inSpace(point.v), drilling = glm::dot(m_spin, m_normal) * m_normal;
-    if (!m_slips) {
-        return {x, v, drilling + glm::cross(m_normal, v) / m_radius, t * drilling + glm::cross(m_normal, x) / m_radius};
+    const Way now = at(t);
+    Way rolls = now;
+    if (m_slips) {
+        const auto &[x, v] = lawAt(t);
+        rolls = {t * (m_q + 0.5 * t * m_qRate) - 5.0 / 7.0 * inSpace(x), m_q + t * m_qRate - 5.0 / 7.0 * inSpace(v)};
     }
-    const Vec3 q = m_q + t * m_qRate, way = t * (m_q + 0.5 * t * m_qRate);
-    return {way + 2.0 / 7.0 * x, q + 2.0 / 7.0 * v, drilling + glm::cross(m_normal, q - 5.0 / 7.0 * v) / m_radius,
-            t * drilling + glm::cross(m_normal, way - 5.0 / 7.0 * x) / m_radius};
+    return rolledPlace(now, rolls, m_face.normal, glm::dot(m_spin, m_face.normal) * m_face.normal, m_radius, t);
 }
 
 Vec3 Resisted::accelerationAt(double t, const Vec3 &velocity) const {

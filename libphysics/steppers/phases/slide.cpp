@@ -9,23 +9,24 @@ namespace phys {
 // changes the slip by (-5/2 B d_x, g - 7/2 B d_y), and v = q + (2/7) u along both, where q grows by (5/7) g. With
 // dt = |u| dxi as in 3.1, du/dxi = (-5/2 B u_x, g |u| - 7/2 B u_y): the end of the slip is infinitely far away in xi,
 // where it limits no series.
-Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const Reaction &rough, double friction,
-             const Reaction &smooth)
-    : m_faces(faces)
-    , m_along(3 - faces.roughAxis - faces.smoothAxis)
-    , m_normal(normal)
+Slide::Slide(const Moment &moment, const Lasting &rough, const Lasting &smooth)
+    : m_rough(rough.contact)
+    , m_smooth(smooth.contact)
+    , m_across(axisOf(smooth.held))
+    , m_along(3 - axisOf(rough.held) - m_across)
+    , m_normal(rough.held.normal)
     , m_spin(moment.spin)
     , m_radius(moment.radius)
     , m_small(kSlipEnds * speedScale(moment))
-    , m_limitOfFriction(friction * rough.pressure)
+    , m_limitOfFriction(rough.friction())
     , m_g(moment.gravity[m_along]) {
     const double B = m_limitOfFriction;
-    m_u[0] = {rough.slip[faces.smoothAxis], rough.slip[m_along]};
+    m_u[0] = {rough.reaction.slip[m_across], rough.reaction.slip[m_along]};
     m_speed[0] = glm::length(m_u[0]);
-    m_push = smooth.pressure;
-    m_side = smooth.force[faces.smoothAxis] > 0.0 ? B : -B;
+    m_push = smooth.reaction.pressure;
+    m_side = smooth.reaction.force[m_across] > 0.0 ? B : -B;
     m_rolling = moment.velocity[m_along] - 2.0 / 7.0 * m_u[0].y;
-    m_start = m_g - B * rough.direction[m_along];
+    m_start = m_g - B * rough.reaction.direction[m_along];
     m_limit = m_g - std::clamp(m_g, -B, B);
     m_fast = std::min(glm::length(moment.velocity), m_radius * glm::length(m_spin));
     m_reach.unit = 1.0 / (3.5 * B + std::abs(m_g));
@@ -66,15 +67,14 @@ Way Slide::wayAt(double t, double s) const {
 
 Place Slide::placeAt(double t) const {
     const double s = xiAt(t);
-    const auto [way, velocity] = wayAt(t, s);
-    // The spin is that of a ball which rolls with the velocity less the slip.
-    const auto spinOf = [&](Vec3 rolls, const Vec2 &slip) {
-        rolls[m_faces.smoothAxis] -= slip.x;
+    const Way now = wayAt(t, s);
+    const auto without = [&](Vec3 rolls, const Vec2 &slip) {
+        rolls[m_across] -= slip.x;
         rolls[m_along] -= slip.y;
-        return glm::cross(m_normal, rolls) / m_radius;
+        return rolls;
     };
-    const Vec3 drilling = glm::dot(m_spin, m_normal) * m_normal;
-    return {way, velocity, drilling + spinOf(velocity, m_u.at(s)), t * drilling + spinOf(way, m_way.at(s))};
+    const Way rolls{without(now.way, m_way.at(s)), without(now.velocity, m_u.at(s))};
+    return rolledPlace(now, rolls, m_normal, glm::dot(m_spin, m_normal) * m_normal, m_radius, t);
 }
 
 /// The slip's direction turns monotonically to where friction balances gravity along both faces.
@@ -103,11 +103,11 @@ double Slide::opensAt(double s, Work &work) const {
 End Slide::end(double until, Work &work) const {
     End end{m_horizon, Cause::time, 0};
     const double opens = mayOpen() ? opensAt(until < m_horizon ? xiAt(until) : m_reach.length, work) : kNever;
-    if (opens != kNever) end.cut({m_time.at(opens), Cause::release, m_faces.smooth});
+    if (opens != kNever) end.cut({m_time.at(opens), Cause::release, m_smooth});
     // What is left of a small slip falls at its present rate.
     const double slows = -m_speed[1] / (unit() * m_speed[0]);
     const bool ends = m_limitOfFriction > 0.0 && slows > 0.0 && m_speed[0] <= m_small;
-    if (ends) end.cut({0.0, Cause::grip, m_faces.rough, m_speed[0] / slows});
+    if (ends) end.cut({0.0, Cause::grip, m_rough, m_speed[0] / slows});
     return end;
 }
 

@@ -2,6 +2,7 @@
 #include "phases/slip_end.h"
 
 #include "base/elementary.h"
+#include "contact/held.h"
 
 #include <algorithm>
 #include <array>
@@ -65,11 +66,11 @@ double leastAcross(const Vec2 &from, const Vec2 &to) {
 
 } // namespace
 
-std::optional<SlipEnd> SlipEnd::of(const Moment &moment, const Rough &rough, const Support &support) {
+std::optional<SlipEnd> SlipEnd::of(const Moment &moment, const Lasting &rough, const Lasting &support) {
     constexpr double kSmall = 16.0;                // of the rounding of places
     constexpr double kFar = 0.5, kMostTurn = 1e-5; // rad: of the slip, and of the way
     constexpr double kLeast = 1e-6;                // of the friction
-    const double B = rough.friction, speed = glm::length(rough.slip);
+    const double B = rough.friction(), speed = glm::length(rough.reaction.slip);
     if (!(speed * speed <= kSmall * moment.rounding * moment.radius * B)) return std::nullopt;
     SlipEnd phase(moment, rough, support);
     const Vec2 c = phase.m_drive / B, d = phase.m_slip / speed;
@@ -77,27 +78,27 @@ std::optional<SlipEnd> SlipEnd::of(const Moment &moment, const Rough &rough, con
     if (!findLimit(c, limit) || !(fallOf(c, limit) > 0.0)) return std::nullopt;
     const double angle = elementary::atan2(glm::dot(d, quarterTurn(limit)), glm::dot(d, limit));
     if (!(std::abs(angle) <= kFar)) return std::nullopt;
-    if (!(support.pressure + B * (leastAcross(d, limit) - d.x) > kLeast * B)) return std::nullopt;
+    if (!(support.reaction.pressure + B * (leastAcross(d, limit) - d.x) > kLeast * B)) return std::nullopt;
     phase.m_time = speed / B * timeToEnd(c, limit, angle);
     const double turn = phase.m_time * phase.m_curvature * glm::length(moment.velocity);
     if (!(phase.m_time > 0.0 && turn <= kMostTurn)) return std::nullopt;
     return phase;
 }
 
-SlipEnd::SlipEnd(const Moment &moment, const Rough &rough, const Support &support)
+SlipEnd::SlipEnd(const Moment &moment, const Lasting &rough, const Lasting &support)
     : m_contact(rough.contact)
-    , m_up(rough.normal)
-    , m_across(support.normal)
+    , m_up(rough.held.normal)
+    , m_across(support.held.normal)
     , m_along(glm::cross(m_up, m_across))
     , m_drilling(glm::dot(moment.spin, m_up) * m_up)
     , m_radius(moment.radius)
-    , m_slip(glm::dot(rough.slip, m_across), glm::dot(rough.slip, m_along))
+    , m_slip(glm::dot(rough.reaction.slip, m_across), glm::dot(rough.reaction.slip, m_along))
     , m_gravity(glm::dot(moment.gravity, m_across), glm::dot(moment.gravity, m_along)) {
-    if (support.isEdge) m_curvature = 1.0 / m_radius;
+    if (!isFace(support.held)) m_curvature = 1.0 / m_radius;
     const double speed = glm::dot(moment.velocity, m_along);
     m_rolling = speed - 2.0 / 7.0 * m_slip.y;
     m_drive = {-m_curvature * speed * (speed - m_slip.y), m_gravity.y}; // what rolls turns with the way
-    m_most = std::abs(m_drive.x) + std::abs(m_drive.y) + rough.friction;
+    m_most = std::abs(m_drive.x) + std::abs(m_drive.y) + rough.friction();
 }
 
 Way SlipEnd::at(double t) const {
@@ -110,10 +111,10 @@ Way SlipEnd::at(double t) const {
 }
 
 Place SlipEnd::placeAt(double t) const {
-    const auto [way, velocity] = at(t);
+    const Way now = at(t);
     const Vec3 slip = m_slip.x * m_across + m_slip.y * m_along;
-    return {way, velocity, m_drilling + glm::cross(m_up, velocity - left(t) * slip) / m_radius,
-            t * m_drilling + glm::cross(m_up, way - meanTime(t) * slip) / m_radius};
+    const Way rolls{now.way - meanTime(t) * slip, now.velocity - left(t) * slip};
+    return rolledPlace(now, rolls, m_up, m_drilling, m_radius, t);
 }
 
 /// All energy of the slip, and the work of what drives it.

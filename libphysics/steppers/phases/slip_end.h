@@ -14,21 +14,9 @@ class SlipEnd {
 public:
     static constexpr uint64_t lookWork() { return 12; }
 
-    /// The face on which the ball slips: number and normal of the contact, friction mu N.
-    struct Rough {
-        uint32_t contact;
-        Vec3 normal, slip;
-        double friction; ///< m/s^2
-    };
-    /// What it leans on.
-    struct Support {
-        Vec3 normal;
-        double pressure; ///< m/s^2
-        bool isEdge;
-    };
-
-    /// Nothing if the slip is larger, doesn't end or turns far, or if the pressure may end before.
-    static std::optional<SlipEnd> of(const Moment &moment, const Rough &rough, const Support &support);
+    /// rough: on which it slips; support: on which it leans. Nothing if the slip is larger, doesn't end or turns far,
+    /// or if the pressure may end before.
+    static std::optional<SlipEnd> of(const Moment &moment, const Lasting &rough, const Lasting &support);
 
     Way at(double t) const;
     Place placeAt(double t) const;
@@ -50,7 +38,7 @@ private:
     double m_rolling;         ///< along: the velocity minus 2/7 of the slip
     double m_most, m_time = 0.0;
 
-    SlipEnd(const Moment &moment, const Rough &rough, const Support &support);
+    SlipEnd(const Moment &moment, const Lasting &rough, const Lasting &support);
 
     /// Share of the slip that is left, which falls evenly: how it does is rounding.
     double left(double t) const { return 1.0 - t / m_time; }

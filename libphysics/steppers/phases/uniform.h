@@ -37,7 +37,6 @@ struct Uniform {
     double meanSpin(double t, const Vec3 &direction) const { return std::abs(glm::dot(spinAt(0.5 * t), direction)); }
     double least(const Vec3 &n, double rate, double, double) const { return leastAcceleration(n, rate); }
     double mostAcceleration() const { return glm::length(acceleration); }
-    double horizon() const { return kNever; }
     /// Whether the velocity along any direction changes its sign at most once.
     bool turnsOnce() const { return true; }
     Vec3 accelerationAt(double, const Vec3 &) const { return acceleration; }

@@ -21,6 +21,10 @@ Vec3 tangentAt(double angle) { return {std::cos(angle), 0.0, -std::sin(angle)}; 
 /// The speed that the ball has there if it started at rest above the edge.
 double speedAt(double angle) { return std::sqrt(2.0 * kPendulumGravity * kSwingRadius * (1.0 - std::cos(angle))); }
 
+phys::Reaction pressingBy(double pressure, phys::Mode mode) {
+    return {mode, pressure, Vec3(0.0), Vec3(0.0), Vec3(0.0)};
+}
+
 /// From kStartAngle with this speed; along the edge with 0.3 m/s and 0.5 m/s^2.
 Pendulum swinging(double speed, double wanted = 1.0) {
     phys::Moment moment;
@@ -29,10 +33,10 @@ Pendulum swinging(double speed, double wanted = 1.0) {
     moment.velocity = speed * tangentAt(kStartAngle) + Vec3(0.0, 0.3, 0.0);
     moment.spin = {1.0, 2.0, 3.0};
     const double pressure = kPendulumGravity * std::cos(kStartAngle) - speed * speed / kSwingRadius;
-    return {moment, {4, normalAt(kStartAngle), pressure, kAlongEdge}, 0.5, wanted};
+    const phys::Held edge{normalAt(kStartAngle), {1.0, 0.0, 1.0}, 0.0, 0.0, false};
+    return {moment, {4, edge, pressingBy(pressure, phys::Mode::smooth)}, true, wanted};
 }
 
-constexpr int kUpright = 2;
 constexpr double kTiltedGravity = 1.25, kRollingResistance = 0.01;       // of the board, along its plane, m/s^2; mu_r
 constexpr double kResistingPull = kRollingResistance * kPendulumGravity; // m/s^2
 
@@ -52,9 +56,12 @@ phys::Moment rollingMoment(double angle, double speed) {
 Pendulum rolling(double angle, double speed, double resistance = kResistingPull) {
     const double pressure = kTiltedGravity * std::cos(angle) - 1.4 * speed * speed / kSwingRadius;
     const Vec3 heading = (speed < 0.0 ? -1.0 : 1.0) * uprightTangentAt(angle);
+    const Vec3 up(0.0, 0.0, 1.0);
+    const phys::Held edge{uprightNormalAt(angle), {1.0, 1.0, 0.0}, 0.0, 0.0, false},
+        floor{up, up, 1.0, resistance, false};
     return {rollingMoment(angle, speed),
-            {1, uprightNormalAt(angle), pressure, kUpright},
-            {0, {0.0, 0.0, 1.0}, resistance},
+            {1, edge, pressingBy(pressure, phys::Mode::smooth)},
+            {0, floor, pressingBy(1.0, phys::Mode::sticking)},
             heading,
             1.0};
 }

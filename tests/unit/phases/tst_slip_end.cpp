@@ -25,9 +25,19 @@ phys::Moment closingMoment(const phys::Vec2 &slip, double pull) {
     return moment;
 }
 
+/// Contact 3 is the floor. support: normal of the face, or edge, on which it leans.
+std::optional<SlipEnd> closingOf(const phys::Moment &moment, const Vec3 &slip, const Vec3 &support, bool isEdge,
+                                 double pressure) {
+    const Vec3 up(0.0, 0.0, 1.0), none(0.0);
+    const phys::Held floor{up, up, kClosingFriction, 0.0, false};
+    const phys::Held wall{support, isEdge ? Vec3(1.0, 1.0, 0.0) : support, 0.0, 0.0, false};
+    const phys::Reaction rubs{phys::Mode::slipping, 1.0, none, none, slip};
+    const phys::Reaction presses{phys::Mode::smooth, pressure, none, none, none};
+    return SlipEnd::of(moment, {3, floor, rubs}, {1, wall, presses});
+}
+
 std::optional<SlipEnd> closingOf(const phys::Vec2 &slip, double pull, bool isEdge = false, double pressure = 2.5) {
-    return SlipEnd::of(closingMoment(slip, pull), {3, {0.0, 0.0, 1.0}, {slip.x, slip.y, 0.0}, kClosingFriction},
-                       {{1.0, 0.0, 0.0}, pressure, isEdge});
+    return closingOf(closingMoment(slip, pull), {slip.x, slip.y, 0.0}, {1.0, 0.0, 0.0}, isEdge, pressure);
 }
 
 /// The end of a slip that friction and a drive change, by Runge and Kutta's method in xi = integral of dt/|u|, in which
@@ -127,7 +137,7 @@ void SlipEndTest::theBallKeepsItsSpeedRoundAnEdge() {
 void SlipEndTest::imagesAreTheSameToTheBit() {
     phys::Moment moment = closingMoment(kLittle * phys::Vec2(1.0, 0.2), 0.3);
     const auto placeOf = [](const phys::Moment &seen, const Vec3 &normal, const Vec3 &slip) {
-        const auto phase = SlipEnd::of(seen, {3, {0.0, 0.0, 1.0}, slip, kClosingFriction}, {normal, 2.5, true});
+        const auto phase = closingOf(seen, slip, normal, true, 2.5);
         return phase->placeAt(0.5 * phase->horizon());
     };
     const auto swapped = [](const Vec3 &v) { return Vec3(v.y, v.x, v.z); };
