@@ -53,7 +53,7 @@ public:
 private:
     uint32_t count() const { return m_touching.count(); }
     const Held &held(uint32_t i) const { return m_touching.held(i); }
-    Lasting lasting(uint32_t i) const { return {i, held(i), reaction(i)}; }
+    Bearing bearing(uint32_t i) const { return {i, held(i), reaction(i)}; }
     bool isFaceAt(uint32_t i) const { return m_touching.contactOf(i).isFace(); }
     Reaction &reaction(uint32_t i) const { return m_response.reactions[i]; }
     Motion &motion() const { return m_ball.motion; }
@@ -267,7 +267,7 @@ private:
             place = i;
         }
         if (onRough == kMostHeld || onSmooth == kMostHeld) return false;
-        const Lasting rough = lasting(onRough), smooth = lasting(onSmooth);
+        const Bearing rough = bearing(onRough), smooth = bearing(onSmooth);
         if (!isFace(rough.held) || glm::dot(rough.held.across, smooth.held.across) != 0.0) return false;
         const Moment moment = m_ball.moment();
         const double least = 0.01 * rough.friction() + 1e-9 * accelerationScale(moment);
@@ -318,11 +318,11 @@ private:
         if (edge == kMostHeld || across != glm::min(across, Vec3(1.0))) return false;
         const Moment moment = m_ball.moment();
         if (track == kMostHeld) {
-            m_phase.emplace<Pendulum>(moment, lasting(edge), count() == 1, m_ball.left);
+            m_phase.emplace<Pendulum>(moment, bearing(edge), count() == 1, m_ball.left);
             return true;
         }
         if (!carriesRound(track) || heading() == Vec3(0.0)) return false;
-        m_phase.emplace<Pendulum>(moment, lasting(edge), lasting(track), heading(), m_ball.left);
+        m_phase.emplace<Pendulum>(moment, bearing(edge), bearing(track), heading(), m_ball.left);
         return true;
     }
 

@@ -142,7 +142,7 @@ private:
         const Held floor{kUp, kUp, params.sliding_friction, 0.0, false}, face{n, glm::abs(n), 0.0, 0.0, false};
         const Reaction rubs{Mode::slipping, m_pull.pressure, Vec3(0.0), direction, slip};
         const Reaction presses{Mode::smooth, push, push * n, Vec3(0.0), Vec3(0.0)};
-        const Lasting rough{0, floor, rubs}, smooth{1, face, presses};
+        const Bearing rough{0, floor, rubs}, smooth{1, face, presses};
         if (const auto closing = SlipEnd::of(moment, rough, smooth)) {
             const End end = endOf(*closing);
             Hit hit;
@@ -404,10 +404,9 @@ bool runInRegion(FloorRegions &regions, MovingBall &ball, ContactEvents &events)
         if (ball.work.isTooMuch()) return false;
         const Vec2 velocity = inPlane(ball.motion.velocity);
         const phys_vec3 place = fromVec(ball.position);
-        // The last region may end near the ball; that of its own grid cell extends further.
         const FloorRegion *region =
-            isSecond ? regions.find(place, velocity, ball.left) : regions.around(place, velocity, ball.left);
-        if (!region || (isSecond && region->foundAt == tried)) return false;
+            isSecond ? regions.another(tried, place, velocity, ball.left) : regions.around(place, velocity, ball.left);
+        if (!region) return false;
         const double left = ball.left;
         tried = region->foundAt;
         RegionRun(*region, ball, events).advance();

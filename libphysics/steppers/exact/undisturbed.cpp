@@ -108,11 +108,7 @@ bool moveOnFloor(FloorRegions &regions, const Scene &scene, const phys_params &p
     if (!pull.glides() && spin.z == 0.0 && std::signbit(spin.z)) return false;
     const FloorRegion *region = regions.around(in.position, inPlane(in.velocity), dt);
     for (bool isSecond = false; region && !move(*region, pull, dt, spin, ball); isSecond = true) {
-        if (isSecond) return false;
-        // The last region may end near the ball; that of its own grid cell extends further.
-        const Vec2 tried = region->foundAt;
-        region = regions.find(in.position, inPlane(in.velocity), dt);
-        if (region && region->foundAt == tried) return false;
+        region = isSecond ? nullptr : regions.another(region->foundAt, in.position, inPlane(in.velocity), dt);
     }
     if (!region) return false;
     const double height = scene.boxes[region->floor].max.z + scene.radius;

@@ -8,6 +8,7 @@
 #include "phases/phase.h"
 #include "shared/first_zero.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -36,6 +37,12 @@ struct JetOf {
         for (int k = kOrder - 1; k >= 1; --k) sum = sum * s + double(k) * c[static_cast<size_t>(k)];
         return sum;
     }
+    /// An upper bound from 0 to s.
+    double most(double s) const {
+        double sum = 0.0;
+        for (int k = kOrder; k >= 0; --k) sum = sum * s + glm::length(c[static_cast<size_t>(k)]);
+        return sum;
+    }
     /// Integral from 0 to s.
     T integralAt(double s) const {
         T sum(0.0);
@@ -47,9 +54,10 @@ struct JetOf {
 using Jet = JetOf<double>;
 using VecJet = JetOf<Vec3>;
 
-/// Term k of a product; for vectors of their dot or cross product.
-inline double termOf(const Jet &a, const Jet &b, int k) {
-    double sum = 0.0;
+/// Term k of a product; of vectors of their dot product.
+template<class V>
+V termOf(const Jet &a, const JetOf<V> &b, int k) {
+    V sum(0.0);
     for (int j = 0; j <= k; ++j) sum += a[j] * b[k - j];
     return sum;
 }
@@ -58,13 +66,14 @@ inline double dotTerm(const VecJet &a, const VecJet &b, int k) {
     for (int j = 0; j <= k; ++j) sum += glm::dot(a[j], b[k - j]);
     return sum;
 }
-template<class V>
-V termOf(const Jet &a, const JetOf<V> &b, int k) {
-    V sum(0.0);
-    for (int j = 0; j <= k; ++j) sum += a[j] * b[k - j];
-    return sum;
-}
 
+/// constant + factor * a + b
+inline Jet sum(double constant, double factor, const Jet &a, const Jet &b = {}) {
+    Jet all;
+    for (int k = 0; k <= kOrder; ++k) all[k] = factor * a[k] + b[k];
+    all[0] += constant;
+    return all;
+}
 inline Jet product(const Jet &a, const Jet &b) {
     Jet all;
     for (int k = 0; k <= kOrder; ++k) all[k] = termOf(a, b, k);

@@ -16,7 +16,7 @@ constexpr std::array kShort{Truncation{9, 0.02}, Truncation{12, 0.05}, Truncatio
 
 } // namespace
 
-Pendulum::Pendulum(const Moment &moment, const Lasting &edge, const Vec3 &lasting)
+Pendulum::Pendulum(const Moment &moment, const Bearing &edge, const Vec3 &lasting)
     : m_moment(moment)
     , m_edge(edge.contact)
     , m_axis(edge.held.across.x == 0.0   ? 0
@@ -27,13 +27,13 @@ Pendulum::Pendulum(const Moment &moment, const Lasting &edge, const Vec3 &lastin
     , m_gravity(glm::length(across(moment.gravity)))
     , m_start(across(edge.held.normal)) {}
 
-Pendulum::Pendulum(const Moment &moment, const Lasting &edge, bool isFree, double wanted)
+Pendulum::Pendulum(const Moment &moment, const Bearing &edge, bool isFree, double wanted)
     : Pendulum(moment, edge, moment.spin) {
     if (isFree) m_acceleration = moment.gravity[m_axis];
     expand(1.0, wanted);
 }
 
-Pendulum::Pendulum(const Moment &moment, const Lasting &edge, const Lasting &track, const Vec3 &heading, double wanted)
+Pendulum::Pendulum(const Moment &moment, const Bearing &edge, const Bearing &track, const Vec3 &heading, double wanted)
     : Pendulum(moment, edge, glm::dot(moment.spin, track.held.normal) * track.held.normal) {
     m_track = track.contact;
     m_up = track.held.normal;
@@ -116,8 +116,7 @@ End Pendulum::end(double until, Work &work) const {
     End end{horizon(), Cause::time, 0};
     end.cut({m_reach.unit * firstFall(pressure, s, work), Cause::release, m_edge});
     if (m_resistance == 0.0) return end;
-    Jet speed;
-    for (int k = 0; k <= kOrder; ++k) speed[k] = std::copysign(1.0, m_resistance) * m_rate[k];
+    const Jet speed = sum(0.0, std::copysign(1.0, m_resistance), m_rate);
     end.cut({m_reach.unit * firstFall(speed, s, work), Cause::stop, m_track});
     return end;
 }

@@ -13,9 +13,9 @@ public:
     static constexpr uint64_t lookWork() { return 60; }
 
     /// It glides, along the edge, too, if it is free to. wanted: how long the motion is asked for, s.
-    Pendulum(const Moment &moment, const Lasting &edge, bool isFree, double wanted);
+    Pendulum(const Moment &moment, const Bearing &edge, bool isFree, double wanted);
     /// It rolls on a face across the edge. heading: in which it moves or starts to.
-    Pendulum(const Moment &moment, const Lasting &edge, const Lasting &track, const Vec3 &heading, double wanted);
+    Pendulum(const Moment &moment, const Bearing &edge, const Bearing &track, const Vec3 &heading, double wanted);
 
     Way at(double t) const;
     Place placeAt(double t) const;
@@ -45,7 +45,7 @@ private:
     int m_last;                           ///< order of the last terms
     Reach m_reach;
 
-    Pendulum(const Moment &moment, const Lasting &edge, const Vec3 &lasting);
+    Pendulum(const Moment &moment, const Bearing &edge, const Vec3 &lasting);
     void expand(double share, double wanted);
     double drive() const { return m_gravity + std::abs(m_resistance); }
     double rateAt(double t) const { return m_rate.at(t / m_reach.unit, m_last); }

@@ -32,7 +32,7 @@ inline Place rolledPlace(const Way &now, const Way &rolls, const Vec3 &n, const 
 }
 
 /// A lasting contact as a phase takes it.
-struct Lasting {
+struct Bearing {
     uint32_t contact; ///< its number
     const Held &held;
     const Reaction &reaction;

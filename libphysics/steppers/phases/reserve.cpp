@@ -20,14 +20,6 @@ bool falls(const Jet &f, double zero, double end) {
     return f.at(std::min(s, end)) < -zero;
 }
 
-/// constant + factor * a + b
-Jet sum(double constant, double factor, const Jet &a, const Jet &b = {}) {
-    Jet all;
-    for (int k = 0; k <= kOrder; ++k) all[k] = factor * a[k] + b[k];
-    all[0] += constant;
-    return all;
-}
-
 /// (limit times the square root of mu2)^2 minus the square of the required friction. Its last term isn't known.
 Jet squaresApart(double mu2, const Jet &limit2, const Jet &needed2) {
     Jet left = sum(0.0, -1.0, needed2, sum(0.0, mu2, limit2));

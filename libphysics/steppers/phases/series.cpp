@@ -402,12 +402,9 @@ void Series::measure() {
     if (m_last == kOrder) m_valid = validSoFar(); // fewer terms have been found to suffice
     m_reach.measure(m_valid);
     const double s = m_reach.length;
-    double most = 0.0;
-    Vec3 turns(0.0);
-    for (int k = kOrder; k >= 0; --k) most = most * s + glm::length(m_a[k]);
-    for (int k = kOrder; k >= 1; --k) turns = s * turns + double(k) * glm::abs(m_a[k]);
-    m_most = most;
-    m_turns = turns;
+    m_most = m_a.most(s);
+    m_turns = Vec3(0.0);
+    for (int k = kOrder; k >= 1; --k) m_turns = s * m_turns + double(k) * glm::abs(m_a[k]);
 }
 
 Way Series::at(double t) const {
@@ -452,11 +449,7 @@ std::pair<Jet, double> Series::startOfSlip(const Contact &contact) const {
 
 /// Whether the pressure of a contact is rounding until s. Its friction then moves nothing, and the series of its slip's
 /// direction needn't be valid.
-bool Series::isIdle(const Contact &contact, double s) const {
-    double most = 0.0;
-    for (int k = kOrder; k >= 0; --k) most = most * s + std::abs(contact.N[k]);
-    return most <= m_noForce;
-}
+bool Series::isIdle(const Contact &contact, double s) const { return contact.N.most(s) <= m_noForce; }
 
 /// Share of the spin that resistance opposes: less than all where another sticking contact, nearly opposite, leaves the
 /// ball a line to turn about.
@@ -491,8 +484,7 @@ End Series::end(double until, Work &work) const {
         }
     }
     if (m_rolls < m_count && !m_rollStarts) {
-        Jet left = m_turningSpeed;
-        for (double &term : left.c) term *= m_moment.radius;
+        const Jet left = sum(0.0, m_moment.radius, m_turningSpeed);
         end.cut(zeroOfSpeed(left, s, m_reach, kSlipEnds * shareOfRolling() * speed, Cause::stop, given(m_rolls), work));
     }
     end.after = timeAt(end.after);
@@ -503,21 +495,14 @@ Losses Series::losses(double t) const {
     const double s = placeOf(t);
     Losses lost;
     for (const Contact &contact : contacts()) {
-        if (contact.mode == Mode::sticking || contact.mode == Mode::smooth) continue;
-        if (isIdle(contact, s)) continue;
-        const Jet speed = slipSpeed(contact);
-        Jet power;
-        for (int k = 0; k <= kOrder; ++k) power[k] = contact.held.friction * termOf(contact.N, speed, k);
-        lost.slip += integral(power, s);
+        if (contact.mode == Mode::sticking || contact.mode == Mode::smooth || isIdle(contact, s)) continue;
+        const Jet power = product(contact.N, slipSpeed(contact));
+        lost.slip += integral(sum(0.0, contact.held.friction, power), s);
     }
     if (m_rolls < m_count) {
         const Contact &contact = m_contacts[m_rolls];
-        const Jet turning = dot(m_om, m_rolling);
-        Jet power;
-        for (int k = 0; k <= kOrder; ++k) {
-            power[k] = contact.held.resistance * m_moment.radius * termOf(contact.N, turning, k);
-        }
-        lost.rolling += integral(power, s);
+        const Jet power = product(contact.N, dot(m_om, m_rolling));
+        lost.rolling += integral(sum(0.0, contact.held.resistance * m_moment.radius, power), s);
     }
     return lost;
 }

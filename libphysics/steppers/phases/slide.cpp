@@ -9,7 +9,7 @@ namespace phys {
 // changes the slip by (-5/2 B d_x, g - 7/2 B d_y), and v = q + (2/7) u along both, where q grows by (5/7) g. With
 // dt = |u| dxi as in 3.1, du/dxi = (-5/2 B u_x, g |u| - 7/2 B u_y): the end of the slip is infinitely far away in xi,
 // where it limits no series.
-Slide::Slide(const Moment &moment, const Lasting &rough, const Lasting &smooth)
+Slide::Slide(const Moment &moment, const Bearing &rough, const Bearing &smooth)
     : m_rough(rough.contact)
     , m_smooth(smooth.contact)
     , m_across(axisOf(smooth.held))

@@ -12,7 +12,7 @@ class Slide {
 public:
     static constexpr uint64_t lookWork() { return 30; }
 
-    Slide(const Moment &moment, const Lasting &rough, const Lasting &smooth);
+    Slide(const Moment &moment, const Bearing &rough, const Bearing &smooth);
 
     Way at(double t) const;
     Place placeAt(double t) const;

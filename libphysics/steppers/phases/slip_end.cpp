@@ -66,7 +66,7 @@ double leastAcross(const Vec2 &from, const Vec2 &to) {
 
 } // namespace
 
-std::optional<SlipEnd> SlipEnd::of(const Moment &moment, const Lasting &rough, const Lasting &support) {
+std::optional<SlipEnd> SlipEnd::of(const Moment &moment, const Bearing &rough, const Bearing &support) {
     constexpr double kSmall = 16.0;                // of the rounding of places
     constexpr double kFar = 0.5, kMostTurn = 1e-5; // rad: of the slip, and of the way
     constexpr double kLeast = 1e-6;                // of the friction
@@ -85,7 +85,7 @@ std::optional<SlipEnd> SlipEnd::of(const Moment &moment, const Lasting &rough, c
     return phase;
 }
 
-SlipEnd::SlipEnd(const Moment &moment, const Lasting &rough, const Lasting &support)
+SlipEnd::SlipEnd(const Moment &moment, const Bearing &rough, const Bearing &support)
     : m_contact(rough.contact)
     , m_up(rough.held.normal)
     , m_across(support.held.normal)

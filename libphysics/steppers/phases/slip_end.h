@@ -16,7 +16,7 @@ public:
 
     /// rough: on which it slips; support: on which it leans. Nothing if the slip is larger, doesn't end or turns far,
     /// or if the pressure may end before.
-    static std::optional<SlipEnd> of(const Moment &moment, const Lasting &rough, const Lasting &support);
+    static std::optional<SlipEnd> of(const Moment &moment, const Bearing &rough, const Bearing &support);
 
     Way at(double t) const;
     Place placeAt(double t) const;
@@ -38,7 +38,7 @@ private:
     double m_rolling;         ///< along: the velocity minus 2/7 of the slip
     double m_most, m_time = 0.0;
 
-    SlipEnd(const Moment &moment, const Lasting &rough, const Lasting &support);
+    SlipEnd(const Moment &moment, const Bearing &rough, const Bearing &support);
 
     /// Share of the slip that is left, which falls evenly: how it does is rounding.
     double left(double t) const { return 1.0 - t / m_time; }

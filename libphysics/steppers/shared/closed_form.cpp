@@ -165,13 +165,6 @@ inline bool ResistedLaw::passShortTime(double t, Passed &out) const {
     return false;
 }
 
-inline bool ResistedLaw::isAtShortTime(double t, Point &out) const {
-    Passed passed;
-    if (!passShortTime(t, passed)) return false;
-    out = atXi<ShortIntegrals>(passed, t);
-    return true;
-}
-
 /// Chebyshev's method inside the bracket of model.md 3.4.
 ResistedLaw::Passed ResistedLaw::passAnyTime(double t) const {
     const double c1 = m_a - m_B, c2 = -(m_a + m_B);
@@ -239,8 +232,8 @@ ResistedLaw::Point ResistedLaw::at(double t) const {
         const double speed = (m_a - m_B) * t;
         return {0.5 * t * speed * m_e, speed * m_e};
     }
-    Point point;
-    return isAtShortTime(t, point) ? point : atXi<Integrals>(passAnyTime(t), t);
+    Passed passed;
+    return passShortTime(t, passed) ? atXi<ShortIntegrals>(passed, t) : atXi<Integrals>(passAnyTime(t), t);
 }
 
 double ResistedLaw::pathUntil(double t) const {
@@ -255,8 +248,8 @@ bool ResistedLaw::goesOn(const Vec2 &v0, const Vec2 &A, double B, double t, Poin
     ResistedLaw law;
     law.begin(v0, A, B);
     if (law.m_fromRest || !(t < law.m_stopTime)) return false;
-    // The usual law needs no address, only registers.
-    if (!law.isAtShortTime(t, out)) out = ResistedLaw(v0, A, B).at(t);
+    Passed passed; // the usual law needs no address, only registers
+    out = law.passShortTime(t, passed) ? law.atXi<ShortIntegrals>(passed, t) : ResistedLaw(v0, A, B).at(t);
     return true;
 }
 

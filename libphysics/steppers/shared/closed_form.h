@@ -58,7 +58,6 @@ private:
     bool isLast(const Passed &passed) const;
     bool passShortTime(double t, Passed &out) const;
     Passed passAnyTime(double t) const;
-    bool isAtShortTime(double t, Point &out) const;
     Shares sharesAt(const Passed &passed, double t) const;
     template<class Of>
     Point atXi(const Passed &passed, double t) const;

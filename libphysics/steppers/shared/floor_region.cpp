@@ -92,9 +92,8 @@ private:
         m_region.floor = numberOf(*m_floor);
         m_region.isEven = m_place.z == m_floor->max.z + m_scene.radius && m_floorCount == 1;
         for (int axis = 0; axis < 2; ++axis) {
-            FloorRegion::Range &range = m_region.along[axis];
-            range.low = std::max(range.low, (&m_floor->min.x)[axis] + m_margin);
-            range.high = std::min(range.high, (&m_floor->max.x)[axis] - m_margin);
+            cutAt(axis, true, (&m_floor->min.x)[axis] + m_margin);
+            cutAt(axis, false, (&m_floor->max.x)[axis] - m_margin);
         }
     }
 
@@ -122,18 +121,14 @@ private:
     bool leanOn(const phys_box &box) {
         const int axis = isTouched(box, 0) ? 0 : 1;
         FloorRegion::Range &range = m_region.along[axis];
-        FloorRegion::Range &length = m_region.along[1 - axis];
-        length.low = std::max(length.low, (&box.min.x)[1 - axis] + 2.0 * m_margin);
-        length.high = std::min(length.high, (&box.max.x)[1 - axis] - 2.0 * m_margin);
+        cutAt(1 - axis, true, (&box.min.x)[1 - axis] + 2.0 * m_margin);
+        cutAt(1 - axis, false, (&box.max.x)[1 - axis] - 2.0 * m_margin);
         const bool isLow = m_place[axis] == faceAtLow(box, axis);
         double &face = isLow ? range.lowFace : range.highFace;
         if (face != FloorRegion::kNoFace) return false;
         face = isLow ? faceAtLow(box, axis) : faceAtHigh(box, axis); // m_place may be a zero of the other sign
         (isLow ? range.lowBox : range.highBox) = numberOf(box);
-        if (isLow)
-            range.low = std::max(range.low, face + m_margin);
-        else
-            range.high = std::min(range.high, face - m_margin);
+        cutAt(axis, isLow, isLow ? face + m_margin : face - m_margin);
         return true;
     }
 

@@ -81,6 +81,12 @@ public:
     const FloorRegion &last() const { return *m_last; }
     /// Like around, without trying the last one first.
     const FloorRegion *find(const phys_vec3 &place, const Vec2 &velocity, double time = 0.0);
+    /// Like around, if the one that was found for `tried` ends near the ball; nullptr if there is no other: that of its
+    /// own grid cell may extend further.
+    const FloorRegion *another(Vec2 tried, const phys_vec3 &place, const Vec2 &velocity, double time) {
+        const FloorRegion *region = find(place, velocity, time);
+        return region && region->foundAt != tried ? region : nullptr;
+    }
 
 private:
     static constexpr uint32_t kKept = 1024; ///< a power of two
