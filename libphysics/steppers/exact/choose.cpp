@@ -92,7 +92,7 @@ private:
         double opens = bend(idle);
         if (presses(one)) opens -= shares[0] * bend(one);
         if (presses(two)) opens -= shares[1] * bend(two);
-        return opens > kLeast && (isLocked || presses(one) || presses(two));
+        return opens > kLeast;
     }
 
     /// Opens contacts that don't press: where the ball leaves the narrowest place between features that leave it one
@@ -184,7 +184,6 @@ private:
     bool isUniform() const {
         const Vec3 &a = m_response.acceleration, &turning = m_response.spinAcceleration;
         const bool isTurningOnly = motion().velocity == Vec3(0.0) && a == Vec3(0.0);
-        if (isTurningOnly && turning == Vec3(0.0)) return true;
         for (uint32_t i = 0; i < count(); ++i) {
             const auto &[mode, pressure, force, direction, slip] = reaction(i);
             const Vec3 &n = held(i).normal, &rolling = m_response.rolling;
@@ -285,8 +284,8 @@ private:
     /// it gets nowhere.
     bool hardlyMoves() const {
         constexpr double kLeast = 0x1p-400; // m/s
-        return !m_ball.isStill() &&
-               glm::length(motion().velocity) + m_ball.radius() * glm::length(motion().spin) < kLeast;
+        const auto &[velocity, spin] = motion();
+        return !m_ball.isStill() && glm::length(velocity) + m_ball.radius() * glm::length(spin) < kLeast;
     }
 
     /// Whether a face's friction suffices for a ball that rolls on it round an edge, whatever pushes that: of gravity

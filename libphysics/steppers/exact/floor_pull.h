@@ -28,6 +28,8 @@ public:
     bool glides() const { return isRigid() && m_params.sliding_friction == 0.0; }
     /// m/s^2: the sum of components, which is no smaller than the length.
     double gravity() const { return std::abs(level.x) + std::abs(level.y) + pressure; }
+    /// m/s^2: of a ball that slips.
+    double friction() const { return m_params.sliding_friction * pressure; }
     /// m/s^2: rolling resistance, of a ball that rolls or glides.
     double resistance() const { return glides() ? 0.0 : 5.0 / 7.0 * (m_params.rolling_friction * pressure); }
     /// m/s^2: its acceleration without resistance.
@@ -49,10 +51,7 @@ public:
     }
 
     /// Rigid model: whether friction suffices for a ball that rolls.
-    bool keepsRolling() const {
-        const double most = m_params.sliding_friction * pressure;
-        return 4.0 / 49.0 * glm::dot(level, level) < most * most;
-    }
+    bool keepsRolling() const { return 4.0 / 49.0 * glm::dot(level, level) < friction() * friction(); }
 
     /// Whether the ball rests and the pull overcomes resistance along an axis, so that it starts to roll.
     bool starts(int axis, const Vec3 &velocity, const Vec3 &spin) const {
@@ -86,8 +85,7 @@ public:
 
     /// Of a ball that rolls or glides along an axis, m/s^2.
     double accelerationAlong(int axis, double speed) const {
-        const double heading = speed > 0.0 ? 1.0 : -1.0;
-        return drive()[axis] - heading * resistance();
+        return drive()[axis] - (speed > 0.0 ? 1.0 : -1.0) * resistance();
     }
 
     /// The same in any direction.
@@ -95,9 +93,8 @@ public:
 
     /// Whether that acceleration lasts for a time: resistance neither stops nor reverses the ball.
     bool keepsAcceleration(double speed, double acceleration, double time) const {
-        if (resistance() == 0.0) return true;
-        const double heading = speed > 0.0 ? 1.0 : -1.0;
-        return -acceleration * heading * time < (1.0 - kUnsure) * std::abs(speed);
+        const double slows = speed > 0.0 ? -acceleration : acceleration;
+        return resistance() == 0.0 || slows * time < (1.0 - kUnsure) * std::abs(speed);
     }
 
 private:

@@ -100,13 +100,18 @@ private:
         constexpr double kLeast = 1e-12; // relative to the speeds: smaller slips may be rounding
         const Moment moment = m_ball.moment();
         const Vec3 slip = slipAt(moment, kUp);
-        const double friction = m_ball.params().sliding_friction * m_pull.pressure;
+        const double friction = m_pull.friction();
         if (!(glm::length(slip) > kLeast * speedScale(moment)) || !m_pull.turns(inPlane(slip), friction)) return;
         const Resisted phase = Resisted::slipping(moment, kFloor, slip, friction);
         const End end = endOf(phase);
-        const Vec3 rolling =
-            moment.velocity - 2.0 / 7.0 * slip + 5.0 / 7.0 * end.after * m_level; // velocity that is left
-        if (!(end.after < m_ball.left) || glm::length(rolling) > kUnsure * speedScale(moment)) runOn(phase, end);
+        if (rollsAfter(end, slip)) runOn(phase, end);
+    }
+
+    /// Whether a ball whose slip ends in this step certainly moves on.
+    bool rollsAfter(const End &end, const Vec3 &slip) const {
+        Vec3 rolling = m_ball.motion.velocity - 2.0 / 7.0 * slip + 5.0 / 7.0 * end.after * m_level;
+        if (m_rests != kNone) rolling[m_rests] = 0.0;
+        return !(end.after < m_ball.left) || glm::length(rolling) > kUnsure * speedScale(m_ball.moment());
     }
 
     /// The drive presses the ball against a face, so that its acceleration is constant: model.md 14.1. heading: along
@@ -127,18 +132,17 @@ private:
         const phys_params &params = m_ball.params();
         const Moment moment = m_ball.moment();
         const int along = 1 - m_rests;
-        const double B = params.sliding_friction * m_pull.pressure, scale = speedScale(moment);
+        const double B = m_pull.friction();
         const Vec3 slip = slipAt(moment, kUp), direction = hat(slip), a = m_level - B * direction;
         const Vec3 n = contactAtFace(m_ball.setting, m_ball.position, boxAt(m_rests), m_rests, sideOf(m_rests)).normal;
         const double push = -glm::dot(n, a);
         const Vec2 rate(-2.5 * B * direction[m_rests], m_level[along] - 3.5 * B * direction[along]);
         const double turning = slip[m_rests] * rate.y - slip[along] * rate.x;
         constexpr double kLeast = 1e-13, kLeastTurn = 1e-10; // relative to the speeds; sine of an angle
-        if (params.wall_friction > 0.0 || !(glm::length(slip) > kLeast * scale)) return;
+        if (params.wall_friction > 0.0 || !(glm::length(slip) > kLeast * speedScale(moment))) return;
         if (!(push > 0.02 * B + kUnsure * accelerationScale(moment))) return;
         if (!(std::abs(turning) > kLeastTurn * glm::length(slip) * glm::length(rate))) return slipStraight(slip);
-        const double rolling = moment.velocity[along] - 2.0 / 7.0 * slip[along]; // if the slip ends now
-        const bool isUnsure = !(std::abs(rolling) > kUnsure * scale);
+        const bool isUnsure = !rollsAfter({0.0}, slip);
         const Held floor{kUp, kUp, params.sliding_friction, 0.0, false}, face{n, glm::abs(n), 0.0, 0.0, false};
         const Reaction rubs{Mode::slipping, m_pull.pressure, Vec3(0.0), direction, slip};
         const Reaction presses{Mode::smooth, push, push * n, Vec3(0.0), Vec3(0.0)};
@@ -156,16 +160,14 @@ private:
 
     /// The same of a slip that keeps its direction, as one along the face, and so constant accelerations.
     void slipStraight(const Vec3 &slip) {
-        const double B = m_ball.params().sliding_friction * m_pull.pressure, R = m_ball.radius();
+        const double B = m_pull.friction(), R = m_ball.radius();
         m_slipping = hat(slip);
         Vec3 a = m_level - B * m_slipping;
         a[m_rests] = 0.0;
         const Uniform phase{m_ball.motion.velocity, a, m_spin, -kInertia / R * glm::cross(kUp, -B * m_slipping)};
         if (!isCollinear(slip, a - R * glm::cross(phase.spinAcceleration, kUp))) return;
         const End end = phase.endOfSlip(slip, kUp, R, 0);
-        const int along = 1 - m_rests;
-        const double rolling = phase.velocity[along] - 2.0 / 7.0 * slip[along] + 5.0 / 7.0 * end.after * m_level[along];
-        if (!(end.after < m_ball.left) || std::abs(rolling) > kUnsure * speedScale(m_ball.moment())) runOn(phase, end);
+        if (rollsAfter(end, slip)) runOn(phase, end);
     }
 
     /// An impact on a face of the region.
@@ -352,10 +354,9 @@ private:
         return phase.losses(t);
     }
     Losses losses(const Uniform &phase, double t) const {
-        const phys_params &params = m_ball.params();
-        const double R = m_ball.radius();
-        return {params.sliding_friction * m_pull.pressure * t * phase.meanSlip(t, m_slipping, kUp, R),
-                m_rolls ? params.rolling_friction * m_pull.pressure * R * t * phase.meanSpin(t, m_rolling) : 0.0};
+        const double R = m_ball.radius(), rolling = m_ball.params().rolling_friction * m_pull.pressure * R * t;
+        return {m_pull.friction() * t * phase.meanSlip(t, m_slipping, kUp, R),
+                m_rolls ? rolling * phase.meanSpin(t, m_rolling) : 0.0};
     }
 
     template<class Phase>
@@ -370,12 +371,12 @@ private:
         const bool leans = m_rests != kNone;
         m_events.addOnFloor(leans ? boxAt(m_rests) : PHYS_NO_BOX, leans ? m_rests : 0, leans ? sideOf(m_rests) : 1,
                             m_ball);
-        const double face = m_rests == kNone ? 0.0 : placeAt(m_rests);
-        const Vec3 start = m_ball.position;
+        const double face = leans ? placeAt(m_rests) : 0.0;
         const Place place = phase.placeAt(t);
         m_ball.turn(phase, place, t);
-        m_ball.position = {start.x + place.way.x, start.y + place.way.y, m_floor};
-        if (m_rests != kNone) m_ball.position[m_rests] = face; // a zero may have the opposite sign
+        m_ball.position += place.way;
+        m_ball.position.z = m_floor;
+        if (leans) m_ball.position[m_rests] = face; // a zero may have the opposite sign
         m_ball.motion = {{place.velocity.x, place.velocity.y, 0.0}, place.spin};
         m_ball.pass(t);
         if (m_rolls) m_ball.roll();

@@ -23,7 +23,7 @@ End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small
 
 End endOfSlip(const Jet &speed, double until, const Reach &reach, double small, double noise, uint32_t contact,
               Work &work) {
-    const double good = 0.8 * validUntil(speed, kOrder, noise);
+    const double good = 0.8 * Validity(kOrder).add(speed, noise).until();
     End end = zeroOfSpeed(speed, std::min(until, good), reach, small, Cause::grip, contact, work);
     if (good < until) end.cut({good, Cause::time, 0});
     return end;

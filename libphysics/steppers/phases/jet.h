@@ -157,13 +157,14 @@ public:
 
     /// noise: smaller terms are certainly rounding.
     template<class V>
-    void add(const JetOf<V> &f, double noise) {
+    Validity &add(const JetOf<V> &f, double noise) {
         const double scale = std::max({noise, glm::length(f[0]), glm::length(f[1]), glm::length(f[2])});
         for (const int i : {0, 1}) {
             const double size = glm::length(f[m_last - i]);
             if (!std::isfinite(size)) m_powers[i] = 0.0; // the unit is much too long
             if (size > 0.0) m_powers[i] = std::min(m_powers[i], kTail * scale / size);
         }
+        return *this;
     }
 
     double until() const {
@@ -174,14 +175,6 @@ private:
     int m_last;
     double m_powers[2] = {kNever, kNever}; ///< of the last two orders
 };
-
-/// The same of one.
-template<class V>
-double validUntil(const JetOf<V> &f, int last, double noise) {
-    Validity validity(last);
-    validity.add(f, noise);
-    return validity.until();
-}
 
 /// The time unit of series, and how far they are accurate to rounding.
 struct Reach {
@@ -198,7 +191,7 @@ End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small
                 Work &work);
 
 /// When a slip ends, in units. If the slip passes close to zero and friction hardly turns it, the series of its speed
-/// are valid for a shorter time than those of the slip: the phase ends with them. noise: as for validUntil.
+/// are valid for a shorter time than those of the slip: the phase ends with them. noise: as for Validity::add.
 End endOfSlip(const Jet &speed, double until, const Reach &reach, double small, double noise, uint32_t contact,
               Work &work);
 

@@ -67,10 +67,7 @@ void Pendulum::expand(double share, double wanted) {
         m_reach.length = fits->until;
         return;
     }
-    Validity validity(kOrder);
-    validity.add(m_turned, 1.0);
-    validity.add(m_rate, 1.0);
-    m_reach.measure(validity.until());
+    m_reach.measure(Validity(kOrder).add(m_turned, 1.0).add(m_rate, 1.0).until());
 }
 
 Vec3 Pendulum::inSpace(const Vec2 &v, double along) const {

@@ -258,10 +258,9 @@ double Series::endOfPrestress(double s, Work &work) const {
 
 uint32_t Series::opening() const {
     uint32_t bits = 0;
-    const double zero = m_noForce;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Jet &N = m_contacts[i].N;
-        if (N[0] <= zero && falls(N, zero, kLookAhead * length())) bits |= 1U << given(i);
+        if (N[0] <= m_noForce && falls(N, m_noForce, kLookAhead * length())) bits |= 1U << given(i);
     }
     return bits;
 }

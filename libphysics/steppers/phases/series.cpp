@@ -68,7 +68,7 @@ void Series::take(const Moment &moment, std::span<const Held> held, const Respon
         contact.isTurned = false;
         contact.isKept = kept >> sorted.index[i] & 1U;
         contact.n[0] = contact.held.normal;
-        contact.isFlat = contact.held.across.x + contact.held.across.y + contact.held.across.z == 1.0;
+        contact.isFlat = isFace(contact.held);
         contact.u[0] = reaction.mode == Mode::slipping ? m_mirror.seen(reaction.slip) : Vec3(0.0);
         contact.r[0] = m_mirror.seen(reaction.force);
         contact.N[0] = reaction.pressure;
@@ -88,10 +88,25 @@ void Series::take(const Moment &moment, std::span<const Held> held, const Respon
     findShared();
 }
 
-/// After the last term.
+/// After the last term: terms that aren't computed are zero.
 void Series::finish() {
-    clearRest();
-    measure();
+    for (int k = m_last; k <= kOrder; ++k) {
+        m_a[k] = m_al[k] = m_rolling[k] = Vec3(0.0);
+        for (Contact &contact : contacts()) {
+            contact.r[k] = Vec3(0.0);
+            contact.N[k] = 0.0;
+            if (contact.mode != Mode::slipping) contact.d[k] = Vec3(0.0);
+        }
+        if (k == m_last) continue;
+        m_p[k] = m_v[k] = m_om[k] = m_turning[k] = Vec3(0.0);
+        m_turningSpeed[k] = 0.0;
+        for (Contact &contact : contacts()) contact.n[k] = Vec3(0.0);
+    }
+    if (m_last == kOrder) m_valid = validSoFar(); // fewer terms have been found to suffice
+    m_reach.measure(m_valid);
+    m_most = m_a.most(m_reach.length);
+    m_turns = Vec3(0.0);
+    for (int k = kOrder; k >= 1; --k) m_turns = m_reach.length * m_turns + double(k) * glm::abs(m_a[k]);
     // The direction of a slip with few digits has few digits itself, and so have the forces.
     m_noForce = kNoForce * accelerationScale(m_moment);
     for (const Contact &contact : contacts()) {
@@ -130,10 +145,9 @@ void Series::begin(const Response &response) {
     m_rollStarts = false;
     if (m_rolls < m_count) {
         const Vec3 n = m_contacts[m_rolls].held.normal;
-        const Vec3 turning = m_om[0] - glm::dot(m_om[0], n) * n;
         if (m_rolling[0] == Vec3(0.0))
             m_rolls = kMostHeld;
-        else if (isNoSlip(m_moment, m_moment.radius * turning))
+        else if (isNoSlip(m_moment, m_moment.radius * tangential(m_om[0], n)))
             m_rollStarts = true;
         else
             rollingDirection(0);
@@ -163,11 +177,8 @@ void Series::move(int k) {
         if (contact.mode == Mode::slipping) {
             contact.u[k + 1] = m_v[k + 1] + m_moment.radius * contact.crossNormal(m_om, k + 1);
             directions(contact, k + 1);
-        } else if (contact.mode == Mode::starting) {
-            contact.u[k + 1] = step * contact.rateKnown;
-            directions(contact, k);
-        } else if (contact.mode == Mode::spent) {
-            if (k > 0) contact.u[k + 1] = step * contact.rateKnown;
+        } else if (contact.mode == Mode::starting || contact.mode == Mode::spent) {
+            if (k > 0 || contact.mode == Mode::starting) contact.u[k + 1] = step * contact.rateKnown;
             directions(contact, k);
         }
     }
@@ -187,8 +198,7 @@ void Series::weighSlips() {
         m_countsSlips = true;
     }
     for (const Contact &contact : contacts()) {
-        const bool starts = contact.partner < m_count || contact.mode == Mode::starting || contact.mode == Mode::spent;
-        if (starts || m_rollStarts) m_countsSlips = false;
+        if (startsToSlip(contact) || m_rollStarts) m_countsSlips = false;
     }
 }
 
@@ -225,9 +235,8 @@ double Series::integral(const Jet &rate, double s) const {
 
 /// Term k of hat(om_t); for a ball that starts from rest, of om_t divided by the time.
 void Series::rollingDirection(int k) {
-    const Vec3 n = m_contacts[m_rolls].held.normal;
     const int shift = m_rollStarts ? 1 : 0;
-    m_turning[k + shift] = m_om[k + shift] - glm::dot(m_om[k + shift], n) * n;
+    m_turning[k + shift] = tangential(m_om[k + shift], m_contacts[m_rolls].held.normal);
     addDirectionTerm(&m_turning[shift], k, m_turningSpeed, m_rolling);
 }
 
@@ -268,9 +277,9 @@ void Series::directions(Contact &contact, int k) {
         return turn(contact, k);
     }
     if (contact.partner < m_count) {
-        contact.free[k] = glm::dot(contact.d[0], glm::cross(contact.n[0], m_contacts[contact.partner].n[0])) > 0.0
-                              ? contact.crossNormal(m_contacts[contact.partner].n, k)
-                              : -contact.crossNormal(m_contacts[contact.partner].n, k);
+        const VecJet &other = m_contacts[contact.partner].n;
+        const double sense = glm::dot(contact.d[0], glm::cross(contact.n[0], other[0])) > 0.0 ? 1.0 : -1.0;
+        contact.free[k] = sense * contact.crossNormal(other, k);
         addDirectionTerm(&contact.free[0], k, contact.speed, contact.d);
         return;
     }
@@ -358,8 +367,7 @@ double Series::validSoFar() const {
     for (const int k : {0, 1, 2, m_last - 1, m_last}) turning[k] = m_moment.radius * m_om[k];
     const double noise = kNoise * speedScale(m_moment);
     Validity motion(m_last), forces(m_last - 1);
-    motion.add(m_v, noise);
-    motion.add(turning, noise);
+    motion.add(m_v, noise).add(turning, noise);
     if (m_countsSlips) motion.add(m_time, 0.0);
     for (const Contact &contact : contacts()) slips = slips || contact.mode != Mode::sticking;
     for (const Contact &contact : contacts()) {
@@ -380,31 +388,6 @@ bool Series::suffices(double s) {
     if (slips) return false;
     m_valid = validSoFar();
     return 0.8 * m_valid >= std::max(s, 0.125);
-}
-
-/// Sets the terms to zero that aren't computed.
-void Series::clearRest() {
-    for (int k = m_last; k <= kOrder; ++k) {
-        m_a[k] = m_al[k] = m_rolling[k] = Vec3(0.0);
-        for (Contact &contact : contacts()) {
-            contact.r[k] = Vec3(0.0);
-            contact.N[k] = 0.0;
-            if (contact.mode != Mode::slipping) contact.d[k] = Vec3(0.0);
-        }
-        if (k == m_last) continue;
-        m_p[k] = m_v[k] = m_om[k] = m_turning[k] = Vec3(0.0);
-        m_turningSpeed[k] = 0.0;
-        for (Contact &contact : contacts()) contact.n[k] = Vec3(0.0);
-    }
-}
-
-void Series::measure() {
-    if (m_last == kOrder) m_valid = validSoFar(); // fewer terms have been found to suffice
-    m_reach.measure(m_valid);
-    const double s = m_reach.length;
-    m_most = m_a.most(s);
-    m_turns = Vec3(0.0);
-    for (int k = kOrder; k >= 1; --k) m_turns = s * m_turns + double(k) * glm::abs(m_a[k]);
 }
 
 Way Series::at(double t) const {
@@ -444,7 +427,7 @@ std::pair<Jet, double> Series::startOfSlip(const Contact &contact) const {
     const int power = isAccelerated ? 1 : 2;
     Jet left;
     for (int k = 0; k <= kOrder; ++k) left[k] = k + power < kOrder ? speed[k + power] : 0.0;
-    return {left, 0.8 * validUntil(left, kOrder - 1 - power, speedScale(m_moment))};
+    return {left, 0.8 * Validity(kOrder - 1 - power).add(left, speedScale(m_moment)).until()};
 }
 
 /// Whether the pressure of a contact is rounding until s. Its friction then moves nothing, and the series of its slip's
@@ -462,12 +445,11 @@ End Series::end(double until, Work &work) const {
     End end{length(), Cause::time, 0}; // in units, until the end
     const double s = until < horizon() ? placeOf(until) : length();
     const double speed = speedScale(m_moment);
-    const double noForce = m_noForce;
     end.cut({endOfPrestress(s, work), Cause::spent, 0});
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         Jet force = contact.N;
-        if (force[0] <= noForce) force[0] += noForce;
+        if (force[0] <= m_noForce) force[0] += m_noForce;
         if (!isPrestressed(contact)) end.cut({firstFall(force, s, work), Cause::release, given(i)});
         if (isIdle(contact, s)) continue;
         if (startsToSlip(contact)) {
@@ -479,7 +461,7 @@ End Series::end(double until, Work &work) const {
         } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept &&
                    !holdsUntil(contact, s)) {
             auto [left, none] = reserveOf(contact);
-            if (left[0] <= none) left[0] += none + noForce * noForce;
+            if (left[0] <= none) left[0] += none + m_noForce * m_noForce;
             end.cut({firstFall(left, s, work), Cause::spent, given(i)});
         }
     }

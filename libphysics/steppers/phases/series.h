@@ -154,12 +154,11 @@ private:
     double m_given = 0.0;          ///< its present term
     bool m_isSlaved = false;       ///< some contact's N or direction is given
 
-    using Slips = std::array<double, 2>; ///< a number for each slip whose direction is given
     struct {
         std::array<uint32_t, 2> contacts; ///< that have them
         std::array<Vec3, 2> starts;       ///< their directions at the start
-        uint32_t count = 0;
-        Slips fast, slow, fastRow, slowRow; ///< turns of both together, and what selects them
+        int count = 0;
+        Vec2 fast, slow, fastRow, slowRow; ///< turns of both together, and what selects them
     } m_turned;
 
     std::span<Contact> contacts() { return {m_contacts.data(), m_count}; }
@@ -177,7 +176,7 @@ private:
     bool turnsFast(const Contact &contact) const;
     void turn(Contact &contact, int k);
     bool findFastTurn();
-    Slips acrossDirections(int k) const;
+    Vec2 acrossDirections(int k) const;
     void setTurns(int k, double fast);
     double acrossAfter(int k, double fast, double following);
     template<class After>
@@ -202,7 +201,7 @@ private:
     void addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations);
     void addPrestress(const Contact &contact, int k, dense::Equations &equations) const;
     void addRows(const Contact &contact, int k, dense::Equations &equations) const;
-    Vec3 basis(const Contact &contact, uint32_t part) const;
+    Vec3 basis(const Contact &contact, int part) const;
     Vec3 spinPerForce(const Contact &contact, const Vec3 &force, int k) const;
     void move(int k);
     void rollingDirection(int k);
@@ -211,8 +210,6 @@ private:
     double blindUntil() const;
     double validSoFar() const;
     bool suffices(double s);
-    void clearRest();
-    void measure();
     bool rolls(const Contact &contact) const { return m_rolls < m_count && &contact == &m_contacts[m_rolls]; }
     VecJet frictionOf(const Contact &contact) const;
     double frictionOfResistance(const Contact &contact) const;

@@ -13,12 +13,12 @@ namespace {
 /// Divisor for the equations of very rough contacts: beside longer rows the others would count as zero.
 double unitOfFriction(double mu) { return std::max(mu, 1.0); }
 
-Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0}; }
+Vec3 axisOf(int i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0}; }
 
 } // namespace
 
 /// Force r per unit of a contact's unknown.
-Vec3 Series::basis(const Contact &contact, uint32_t part) const {
+Vec3 Series::basis(const Contact &contact, int part) const {
     switch (contact.mode) {
     case Mode::smooth:
         return contact.n[0];
@@ -61,8 +61,8 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
         dense::Values &factors = equations.add(value);
         if (equations.areSolved()) return factors;
         for (const Contact &other : contacts()) {
-            const uint32_t width = other.mode == Mode::smooth || other.mode == Mode::slipping ? 1 : 3;
-            for (uint32_t part = 0; part < width; ++part) {
+            const int width = other.mode == Mode::smooth || other.mode == Mode::slipping ? 1 : 3;
+            for (int part = 0; part < width; ++part) {
                 const Vec3 force = basis(other, part);
                 Vec3 change = force;
                 if (ofSlip) change -= R * glm::cross(spinPerForce(other, force, k), n0);
@@ -72,21 +72,19 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
         return factors;
     };
     if (contact.mode == Mode::sticking) {
-        for (uint32_t i = 0; i < 3; ++i) add(axisOf(i), true, -glm::dot(axisOf(i), contact.rateKnown));
+        for (int i = 0; i < 3; ++i) add(axisOf(i), true, -glm::dot(axisOf(i), contact.rateKnown));
         return;
     }
     add(n0, false, -apart(contact, k));
     if (contact.mode == Mode::starting) {
         const double growth = unit() * mu * contact.N[0] / (contact.speed[0] * (k + 1));
         const Vec3 d0 = contact.d[0];
-        for (uint32_t i = 0; i < 3; ++i) {
-            const Vec3 across = axisOf(i) - d0[static_cast<int>(i)] * d0;
-            const double known =
-                contact.directionKnown[static_cast<int>(i)] - growth * glm::dot(across, contact.rateKnown);
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 across = axisOf(i) - d0[i] * d0;
+            const double known = contact.directionKnown[i] - growth * glm::dot(across, contact.rateKnown);
             dense::Values &factors = add(growth * across, true, known);
             factors[contact.column + i] += 1.0;
-            factors[contact.column + 3] -=
-                (n0[static_cast<int>(i)] - mu * d0[static_cast<int>(i)]) / unitOfFriction(mu);
+            factors[contact.column + 3] -= (n0[i] - mu * d0[i]) / unitOfFriction(mu);
         }
     } else if (contact.mode == Mode::spent) {
         const Vec3 d0 = contact.d[0], e = glm::cross(n0, d0);
@@ -101,8 +99,8 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
         }
         const double unit = unitOfFriction(mu);
         dense::Values &factors = equations.add(along / unit);
-        for (uint32_t part = 0; part < 3 && !equations.areSolved(); ++part) {
-            factors[contact.column + part] = (d0[static_cast<int>(part)] + mu * n0[static_cast<int>(part)]) / unit;
+        for (int part = 0; part < 3 && !equations.areSolved(); ++part) {
+            factors[contact.column + part] = (d0[part] + mu * n0[part]) / unit;
         }
     }
 }
@@ -123,9 +121,9 @@ void Series::addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations
     }
     const auto [ofA, ofB] = tangents(0);
     dense::Values &factors = equations.add(-known);
-    for (uint32_t part = 0; part < 3 && !equations.areSolved(); ++part) {
-        factors[a.column + part] = ofA[static_cast<int>(part)];
-        factors[b.column + part] = ofB[static_cast<int>(part)];
+    for (int part = 0; part < 3 && !equations.areSolved(); ++part) {
+        factors[a.column + part] = ofA[part];
+        factors[b.column + part] = ofB[part];
     }
 }
 
@@ -146,8 +144,8 @@ void Series::addPrestress(const Contact &contact, int k, dense::Equations &equat
     const double unit = std::sqrt(steep * squared(force0));
     dense::Values &factors = equations.add(left / unit);
     const Vec3 perForce = (steep * contact.N[0] - glm::dot(force0, resisting0)) * n0 - force0;
-    for (uint32_t part = 0; part < 3 && !equations.areSolved(); ++part)
-        factors[contact.column + part] = perForce[static_cast<int>(part)] / unit;
+    for (int part = 0; part < 3 && !equations.areSolved(); ++part)
+        factors[contact.column + part] = perForce[part] / unit;
 }
 
 /// Whether the pressure of a contact that doesn't stick is zero, as that of the opposite one isn't.
@@ -295,8 +293,7 @@ void Series::solveOrder(int k) {
     for (Contact &contact : contacts()) {
         const bool isOne = contact.mode == Mode::smooth || contact.mode == Mode::slipping;
         Vec3 force(0.0);
-        for (uint32_t part = 0; part < (isOne ? 1U : 3U); ++part)
-            force += x[contact.column + part] * basis(contact, part);
+        for (int part = 0; part < (isOne ? 1 : 3); ++part) force += x[contact.column + part] * basis(contact, part);
         contact.r[k] += force;
         if (isOne)
             contact.N[k] = x[contact.column];

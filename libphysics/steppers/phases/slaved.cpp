@@ -127,9 +127,9 @@ double Series::timeOfSlips() const {
 }
 
 /// n0.(u x d)/|u_0| of each, term k: the part of the slip across its direction.
-Series::Slips Series::acrossDirections(int k) const {
-    Slips across{};
-    for (uint32_t i = 0; i < m_turned.count; ++i) {
+Vec2 Series::acrossDirections(int k) const {
+    Vec2 across(0.0);
+    for (int i = 0; i < m_turned.count; ++i) {
         const Contact &contact = m_contacts[m_turned.contacts[i]];
         for (int j = 0; j <= k; ++j) {
             across[i] += glm::dot(glm::cross(contact.u[j], contact.d[k - j]), contact.n[0]);
@@ -141,8 +141,8 @@ Series::Slips Series::acrossDirections(int k) const {
 
 /// Turns of order k: `fast` of all slips together, and as much against each other as their slips imply.
 void Series::setTurns(int k, double fast) {
-    const auto set = [&](const Slips &turns) {
-        for (uint32_t i = 0; i < m_turned.count; ++i) {
+    const auto set = [&](const Vec2 &turns) {
+        for (int i = 0; i < m_turned.count; ++i) {
             Contact &contact = m_contacts[m_turned.contacts[i]];
             const Vec3 &d = m_turned.starts[i];
             contact.turn[k] = turns[i];
@@ -152,13 +152,11 @@ void Series::setTurns(int k, double fast) {
                 contact.d[0] = hat(d + turns[i] * glm::cross(contact.n[0], d));
         }
     };
-    Slips turns{fast * m_turned.fast[0], fast * m_turned.fast[1]};
+    const Vec2 turns = fast * m_turned.fast;
     set(turns);
     if (k == 0 || m_turned.count < 2) return;
-    const Slips across = acrossDirections(k);
-    const double per = m_turned.slowRow[0] * m_turned.slow[0] + m_turned.slowRow[1] * m_turned.slow[1];
-    const double slow = -(m_turned.slowRow[0] * across[0] + m_turned.slowRow[1] * across[1]) / per;
-    set({turns[0] + slow * m_turned.slow[0], turns[1] + slow * m_turned.slow[1]});
+    const double slow = -glm::dot(m_turned.slowRow, acrossDirections(k)) / glm::dot(m_turned.slowRow, m_turned.slow);
+    set(turns + slow * m_turned.slow);
 }
 
 /// Term k + 1 of the part of the slips across their directions that friction removes fast, with this turn of order k,
@@ -168,8 +166,7 @@ double Series::acrossAfter(int k, double fast, double following) {
     forces(k);
     move(k);
     setTurns(k + 1, following);
-    const Slips across = acrossDirections(k + 1);
-    return m_turned.fastRow[0] * across[0] + m_turned.fastRow[1] * across[1];
+    return glm::dot(m_turned.fastRow, acrossDirections(k + 1));
 }
 
 /// The turn of the slips together that friction resists most. False if it doesn't do so fast enough.
@@ -187,37 +184,36 @@ bool Series::findFastTurn() {
     }
     if (m_turned.count == 0) return false;
     m_turned.fastRow = {1.0, 0.0};
-    const auto acrossWith = [&](const Slips &turns) { // without the turns of order 1
+    const auto acrossWith = [&](const Vec2 &turns) { // without the turns of order 1
         m_turned.fast = turns;
         setTurns(0, 1.0);
         forces(0);
-        for (uint32_t i = 0; i < m_turned.count; ++i) m_contacts[m_turned.contacts[i]].turn[1] = 0.0;
+        for (int i = 0; i < m_turned.count; ++i) m_contacts[m_turned.contacts[i]].turn[1] = 0.0;
         move(0);
         return acrossDirections(1);
     };
-    const Slips none = acrossWith({0.0, 0.0});
-    std::array<Slips, 2> rates{}; // rates[i][j]: of slip i by the turn of j
-    for (uint32_t j = 0; j < m_turned.count; ++j) {
-        Slips turns{};
+    const Vec2 none = acrossWith(Vec2(0.0));
+    std::array<Vec2, 2> rates{}; // of both slips by the turn of each
+    for (int j = 0; j < m_turned.count; ++j) {
+        Vec2 turns(0.0);
         turns[j] = kTurn;
-        const Slips across = acrossWith(turns);
-        for (uint32_t i = 0; i < m_turned.count; ++i) rates[i][j] = (across[i] - none[i]) / kTurn;
+        rates[j] = (acrossWith(turns) - none) / kTurn;
     }
-    const double a = rates[0][0], b = rates[0][1], c = rates[1][0], d = rates[1][1];
+    const double a = rates[0].x, b = rates[1].x, c = rates[0].y, d = rates[1].y;
     const double fastest = 0.5 * (a + d) + std::sqrt(std::max(0.0, 0.25 * (a - d) * (a - d) + b * c));
     if (!(fastest > kLeastRate)) return false;
     m_turned.fast = {1.0, 0.0};
     if (m_turned.count < 2) return true;
     // Eigenvectors to the right and left; the slow ones are across those of the other side.
-    m_turned.fast = a > d ? Slips{fastest - d, c} : Slips{b, fastest - a};
-    m_turned.fastRow = a > d ? Slips{fastest - d, b} : Slips{c, fastest - a};
-    for (Slips *turns : {&m_turned.fast, &m_turned.fastRow}) {
-        const double size = std::sqrt((*turns)[0] * (*turns)[0] + (*turns)[1] * (*turns)[1]);
+    m_turned.fast = a > d ? Vec2(fastest - d, c) : Vec2(b, fastest - a);
+    m_turned.fastRow = a > d ? Vec2(fastest - d, b) : Vec2(c, fastest - a);
+    for (Vec2 *turns : {&m_turned.fast, &m_turned.fastRow}) {
+        const double size = glm::length(*turns);
         if (!(size > 0.0)) return false;
-        *turns = {(*turns)[0] / size, (*turns)[1] / size};
+        *turns /= size;
     }
-    m_turned.slow = {-m_turned.fastRow[1], m_turned.fastRow[0]};
-    m_turned.slowRow = {-m_turned.fast[1], m_turned.fast[0]};
+    m_turned.slow = quarterTurn(m_turned.fastRow);
+    m_turned.slowRow = quarterTurn(m_turned.fast);
     return true;
 }
 
@@ -230,12 +226,12 @@ bool Series::buildTurning(const Moment &moment, std::span<const Held> held, cons
     m_isSlaved = true;
     if (!findFastTurn()) return false;
     double rounding = 0.0;
-    for (uint32_t i = 0; i < m_turned.count; ++i) {
+    for (int i = 0; i < m_turned.count; ++i) {
         rounding += kRoundings * speedScale(m_moment) / glm::length(m_contacts[m_turned.contacts[i]].u[0]);
     }
     const auto after = [&](int k, double turn, double following) { return acrossAfter(k, turn, following); };
     if (!follow(after, 0.0, kTurn, kNearly, rounding, work)) return false;
-    for (uint32_t i = 0; i < m_turned.count; ++i) {
+    for (int i = 0; i < m_turned.count; ++i) {
         Contact &contact = m_contacts[m_turned.contacts[i]];
         contact.speed = dot(contact.u, contact.d);
     }

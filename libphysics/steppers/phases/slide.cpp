@@ -43,10 +43,7 @@ Slide::Slide(const Moment &moment, const Bearing &rough, const Bearing &smooth)
     // The slip needs only the accuracy of the velocities whose difference it is.
     const double time = m_fast * unit();
     Validity validity(kOrder);
-    validity.add(m_u, m_fast);
-    validity.add(m_speed, m_fast);
-    validity.add(m_time, time);
-    validity.add(m_way, m_fast * time);
+    validity.add(m_u, m_fast).add(m_speed, m_fast).add(m_time, time).add(m_way, m_fast * time);
     m_reach.measure(validity.until());
     m_horizon = m_time.at(m_reach.length);
 }
