@@ -16,13 +16,13 @@ namespace {
 
 constexpr double kSpeeds[] = {1.0 / 16.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0, 1.0, 2.0, 4.0, 8.0, 16.0};
 
+} // namespace
+
 QString speedText(double speed) {
     const double divisor = 1.0 / speed;
     const bool isFraction = divisor > 1.0 && divisor == std::round(divisor);
     return isFraction ? QStringLiteral("1/%1 ×").arg(divisor) : QStringLiteral("%1 ×").arg(speed);
 }
-
-} // namespace
 
 TransportBar::TransportBar(Session &session, QUndoStack &undo, const QList<QAction *> &playback, QWidget *parent)
     : QToolBar(tr("Toolbar"), parent)

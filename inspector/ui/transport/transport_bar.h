@@ -12,6 +12,8 @@ namespace inspector::ui {
 
 class NumberBox;
 
+QString speedText(double speed); ///< "1/16 ×"
+
 /// Run, step and restart, with speed, stepper and dt.
 class TransportBar : public QToolBar {
     Q_OBJECT

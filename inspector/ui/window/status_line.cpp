@@ -4,6 +4,7 @@
 #include "core/setup/ball_place.h"
 #include "core/simulation/snapshot.h"
 #include "ui/parts/elided_label.h"
+#include "ui/transport/transport_bar.h"
 
 #include <QCoreApplication>
 #include <QFontDatabase>
@@ -68,9 +69,9 @@ QString ghostText(const Snapshot &snapshot) {
         .arg(snapshot.ghost->deviation.distance * 1e3, 0, 'g', 3);
 }
 
-QString speedText(const Snapshot &snapshot) {
+QString paceText(const Snapshot &snapshot) {
     const Statistics &statistics = snapshot.statistics;
-    const QString asked = QStringLiteral("%1 ×").arg(statistics.speedAsked, 0, 'g', 4);
+    const QString asked = speedText(statistics.speedAsked);
     if (!snapshot.running) return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "paused (%1)")).arg(asked);
     return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "%1 of %2"))
         .arg(QString::number(statistics.speedReached, 'f', 2), asked);
@@ -105,7 +106,7 @@ const Field kFields[] = {
     {"status_rate", FIELD_TEXT("Steps/s"), FIELD_TEXT("Steps per second of the clock, over the last half second"),
      "000000", rateText, true},
     {"status_speed", FIELD_TEXT("Speed"), FIELD_TEXT("Real-time factor: reached, and asked for"), "paused (0.0625 ×)",
-     speedText},
+     paceText},
     {"status_lost", FIELD_TEXT("Lost"), FIELD_TEXT("Time that was dropped because steps came too late, in this run"),
      "00.00 s", [](const Snapshot &now) { return QStringLiteral("%1 s").arg(now.statistics.lostTime, 0, 'f', 2); },
      true},

@@ -89,6 +89,7 @@ private slots:
     void typedTimeStepReachesTheSimulation();
     void chosenStepperReachesTheSession();
     void statusSaysWhatTheSimulationDoes();
+    void statusWritesTheSpeedAsItsChooser();
     void statusHasNoSignBeforeZero();
     void aboutNamesVersionsAndLicences();
     void stripWidensNoWindow();
@@ -479,6 +480,12 @@ void TestWindowDocks::statusSaysWhatTheSimulationDoes() {
     QVERIFY(m_fixture->find<QLabel>("status_speed")->text().contains("paused"));
     QVERIFY(m_fixture->find<QLabel>("status_ball")->text().contains("at rest"));
     QVERIFY(m_fixture->find<QLabel>("status_ghost")->isHidden());
+}
+
+void TestWindowDocks::statusWritesTheSpeedAsItsChooser() {
+    chooseIn("speed", 0);
+    const QString slowest = m_fixture->find<QComboBox>("speed")->currentText();
+    QTRY_COMPARE(m_fixture->find<QLabel>("status_speed")->text(), QString("Speed: paused (%1)").arg(slowest));
 }
 
 void TestWindowDocks::statusHasNoSignBeforeZero() {
