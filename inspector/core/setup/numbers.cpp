@@ -108,13 +108,14 @@ struct Amount {
     QString why;
 };
 
-QString unitsLike(const QString &wanted) {
+QString whyNotIn(const QString &wanted) {
+    if (wanted.isEmpty()) return QStringLiteral("where no unit belongs");
     const Unit *known = unitOf(wanted);
-    if (!known) return printedUnit(wanted);
+    if (!known) return QStringLiteral("whose unit isn't ") + printedUnit(wanted);
     QStringList names;
     for (const Unit &unit : kUnits)
         if (*unit.name && qstrcmp(unit.kind, known->kind) == 0) names += QString::fromUtf8(unit.name);
-    return names.join(QLatin1Char(' '));
+    return QStringLiteral("whose unit isn't one of: ") + names.join(QLatin1Char(' '));
 }
 
 Amount inUnit(double value, const QString &unit, const QString &wanted) {
@@ -123,8 +124,7 @@ Amount inUnit(double value, const QString &unit, const QString &wanted) {
     const Unit *from = unitOf(unit);
     const Unit *to = unitOf(wanted);
     if (from && to && qstrcmp(from->kind, to->kind) == 0) return {converted(value, *from, *to), {}};
-    if (wanted.isEmpty()) return {std::nullopt, QStringLiteral("where no unit belongs")};
-    return {std::nullopt, QStringLiteral("whose unit isn't one of: ") + unitsLike(wanted)};
+    return {std::nullopt, whyNotIn(wanted)};
 }
 
 /// unit: of the result, and of input without one.
