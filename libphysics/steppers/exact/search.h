@@ -85,6 +85,13 @@ struct Target {
     }
 };
 
+/// The speed along the axis that is nearest to a normal, in its direction.
+inline double alongLargest(const Vec3 &n, const Vec3 &velocity) {
+    const Vec3 size = glm::abs(n);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return n[axis] > 0.0 ? velocity[axis] : -velocity[axis];
+}
+
 template<class Phase>
 Look gapAt(const Target &target, const Phase &phase, const Outlook &around, double t, double until) {
     around.work.add(phase.lookWork());
@@ -96,8 +103,9 @@ Look gapAt(const Target &target, const Phase &phase, const Outlook &around, doub
     const double gone = std::max(glm::length(now.way), t * glm::length(around.motion.velocity));
     const bool returns = !target.isTouched || gone > 0.25 * radius;
     const bool grazes = returns && target.grazes(gap, rate, n, now.velocity);
-    // At its lowest, as a graze that fell would take all looks of a search.
-    return {grazes ? target.tolerance : gap, grazes ? 0.0 : rate, phase.least(n, rate, t, until)};
+    // As fast as it meets the face behind the edge: a graze that fell would take all looks of a search.
+    const double falls = grazes ? std::max(rate, std::min(0.0, alongLargest(n, now.velocity))) : rate;
+    return {grazes ? target.tolerance : gap, falls, phase.least(n, rate, t, until)};
 }
 
 /// The time from which the gap to a touched box that doesn't press is certainly open. Its first terms in time are zero,
