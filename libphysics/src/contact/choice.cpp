@@ -173,10 +173,14 @@ bool choose(const Contacts &contacts, const Moment &moment, double rollingFricti
     return false;
 }
 
-bool endJam(const Contacts &contacts, double rollingFriction, double h, Work &work, Moment &moment) {
+bool endJam(const Contacts &contacts, double rollingFriction, double h, bool stopsAll, Work &work, Moment &moment) {
     const Part part({moment, rollingFriction, h}, contacts, [](const Contact &contact) { return contact.restSpeed; });
+    const bool slips = std::any_of(part.list().begin(), part.list().end(),
+                                   [](const Held &held) { return held.friction > 0.0 && !held.isStill; });
+    if (!slips) return false; // what a substep ends by itself is no jam
     Work own(kMostChoice);
-    const bool ends = endSlips(moment, part.list(), own);
+    const bool ends = stopsAll || endSlips(moment, part.list(), own);
+    if (stopsAll) stopSlips(moment, part.list(), own);
     work.add(2 * own.done() / 3);
     return ends && !own.isTooMuch();
 }

@@ -83,6 +83,8 @@ private slots:
     void resistanceStopsABallInANarrowMouth();
     void aJamInAMouthEndsAsInExact_data() { addStepperRows(); }
     void aJamInAMouthEndsAsInExact();
+    void allSlipsEndInAJamForWhichNoConeSuffices_data() { addStepperRows(); }
+    void allSlipsEndInAJamForWhichNoConeSuffices();
     void climbsAKerbHoweverShortTheStep_data() { addStepperAndModelRows(); }
     void climbsAKerbHoweverShortTheStep();
     void leavesAWallHoweverShortTheStep_data() { addStepperRows(); }
@@ -172,6 +174,34 @@ void TestNearlyAligned::aJamInAMouthEndsAsInExact() {
     const phys_vec3 end = endOf(stepper, 32000), wanted = endOf("exact", 1);
     COMPARE_WITHIN(end.x, wanted.x, 1e-3 * R);
     COMPARE_WITHIN(end.y, wanted.y, 1e-3 * R);
+}
+
+/// It slips along the edge of a roof on a floor. Without slip at both it turns about the line through the two points,
+/// with the angular momentum about that line that it had: neither impulse has a moment about it.
+void TestNearlyAligned::allSlipsEndInAJamForWhichNoConeSuffices() {
+    QFETCH(QByteArray, stepper);
+    constexpr double R = 0.006, kSine = 0.0466, kSpeed = 1.05, kStep = 1e-7;
+    const double cosine = std::sqrt(1.0 - kSine * kSine);
+    SceneBuilder scene;
+    scene.ball(R).start({kSine * R, 0.0, R}).box({{-0.1, -0.1, -0.02}, {0.1, 0.1, 0.0}});
+    scene.box({{-0.1, -0.1, R + cosine * R}, {0.0, 0.1, R + cosine * R + 0.01}});
+    Experiment ball(scene, stepper, PHYS_MODEL_RIGID);
+    ball.params.gravity = {-0.5, -1.5, -9.8};
+    ball.params.restitution_wall = ball.params.restitution_floor = 0.0;
+    ball.params.sliding_friction = 2.86;
+    ball.params.wall_friction = 0.266;
+    ball.state.velocity = {0.0, kSpeed, 0.0};
+    ball.state.spin = {-176.0, -61.0, -52.0};
+    const phys_vec3 before = ball.state.spin;
+    QVERIFY2(ball.stepTimes(1, kStep), ball.error());
+    const double size = std::hypot(kSine, 1.0 + cosine); // of the way from one point to the other, in R
+    const double alongX = kSine / size, alongZ = -(1.0 + cosine) / size, arm = R * alongX;
+    const double momentum = 0.4 * R * R * (before.x * alongX + before.z * alongZ) - arm * kSpeed;
+    const double turn = momentum / (0.4 * R * R + arm * arm);
+    COMPARE_WITHIN(ball.state.velocity.y, -arm * turn, 1e-5 * kSpeed);
+    COMPARE_WITHIN(ball.state.spin.x, turn * alongX, 1e-5 * kSpeed / R);
+    COMPARE_WITHIN(ball.state.spin.y, 0.0, 1e-5 * kSpeed / R);
+    COMPARE_WITHIN(ball.state.spin.z, turn * alongZ, 1e-5 * kSpeed / R);
 }
 
 /// Beyond the tilt at which it tips by a share so small that it leaves the floor by less than rounding in a step.
