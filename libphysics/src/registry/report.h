@@ -25,6 +25,12 @@ public:
 
     bool wanted() const { return m_report != nullptr; }
 
+    /// What was reported so far: a stepper goes back to it where it only tried a motion.
+    phys_report soFar() const { return m_report ? *m_report : phys_report{}; }
+    void goBackTo(const phys_report &earlier) {
+        if (m_report) *m_report = earlier;
+    }
+
     /// `after` seconds into the step, but never later than the state after it, whose time is rounded otherwise. Events
     /// without a contact have zero vectors and PHYS_NO_BOX.
     void event(uint32_t kind, double after, const Vec3 &point, const Vec3 &normal, double speedBefore,

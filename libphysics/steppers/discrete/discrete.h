@@ -90,7 +90,8 @@ public:
             ball = free;
             return true;
         }
-        return runInContact(after - m_h, free, ball);
+        runInContact(after - m_h, free, ball);
+        return true;
     }
 
     /// The smooth motion alone, without obstacles.
@@ -242,7 +243,7 @@ private:
 
     /// Finds all contacts of the substep that begins `start` seconds into the step. free: the ball after it without
     /// contacts.
-    bool runInContact(double start, const Ball &free, Ball &ball) {
+    void runInContact(double start, const Ball &free, Ball &ball) {
         m_context.work.add(Work::kEvent);
         const Ball before = ball;
         Ways ways;
@@ -250,26 +251,15 @@ private:
         // The explicit rule moves with the old velocity, and along normals of pressing contacts with the new one.
         if (Scheme::kContactRule == ContactRule::Explicit) ways.add(m_h * free.velocity);
         Contacts contacts;
-        if (m_context.report.wanted()) {
-            Reporter silent;
-            DiscreteStep trial(m_context.setting, silent, m_context.work, m_plan, m_h);
-            trial.meetAll(start, ways, contacts, ball);
-        } else {
-            meetAll(start, ways, contacts, ball);
-        }
+        const phys_report reported = m_context.report.soFar();
+        meetAll(start, ways, contacts, ball);
         const Vec3 reached = ball.position;
-        if (!leaveOverlaps(m_context, ball) || !payForLift(m_context, ball.position - reached, ball)) {
-            // The ball doesn't fit at the end of its motion, or is too slow to climb out there; at the start it did.
-            ball = before;
-            ball.velocity = Vec3(0.0);
-            ball.spin = Vec3(0.0);
-        } else if (m_context.report.wanted()) {
-            Work again; // a report must not change the status
-            DiscreteStep reporting(m_context.setting, m_context.report, again, m_plan, m_h);
-            Ball reported = before;
-            reporting.meet(start, ways, contacts, reported);
-        }
-        return true;
+        if (leaveOverlaps(m_context, ball) && payForLift(m_context, ball.position - reached, ball)) return;
+        // The ball doesn't fit at the end of its motion, or is too slow to climb out there; at the start it did.
+        m_context.report.goBackTo(reported);
+        ball = before;
+        ball.velocity = Vec3(0.0);
+        ball.spin = Vec3(0.0);
     }
 
     /// Contacts may lead the ball to a place that it wouldn't have reached without them; boxes that it would overlap
@@ -277,6 +267,7 @@ private:
     /// each other ever faster. Adds the displacements due to them to `ways`.
     void meetAll(double start, Ways &ways, Contacts &contacts, Ball &ball) {
         const Ball before = ball;
+        const phys_report reported = m_context.report.soFar();
         meet(start, ways, contacts, ball);
         while (!ways.isFull()) {
             const uint32_t met = contacts.count();
@@ -287,6 +278,7 @@ private:
             else
                 return;
             ball = before;
+            m_context.report.goBackTo(reported);
             meet(start, ways, contacts, ball);
             if (contacts.count() == met) return;
         }
@@ -315,20 +307,16 @@ private:
     /// The motion after the impacts; before: the ball before them. Returns whether a top face pressed.
     bool goOn(const Contacts &contacts, const Ball &before, Ball &ball) {
         if (ball.position == before.position) return move(contacts, m_h, ball);
+        const phys_report reported = m_context.report.soFar();
         Ball end = ball;
-        const bool presses = tryToMove(contacts, end);
+        const bool presses = move(contacts, m_h, end);
         const double left = timeAfterWay(before, ball, end.position);
-        if (left < m_h || m_context.report.wanted()) return move(contacts, left, ball);
+        if (left < m_h) {
+            m_context.report.goBackTo(reported);
+            return move(contacts, left, ball);
+        }
         ball = end;
         return presses;
-    }
-
-    /// The same for all of the substep, without a report.
-    bool tryToMove(const Contacts &contacts, Ball &ball) {
-        if (!m_context.report.wanted()) return move(contacts, m_h, ball);
-        Reporter silent;
-        DiscreteStep trial(m_context.setting, silent, m_context.work, m_plan, m_h);
-        return trial.move(contacts, m_h, ball);
     }
 
     /// The seconds that are left of a substep after impacts, which have put the ball where it is: all, unless that way
@@ -380,31 +368,29 @@ private:
                                  return contact.gap > m_context.scene().tolerance;
                              });
         if (!arrives) {
-            Reporter silent;
-            const StepContext trial{m_context.setting, silent, m_context.work};
+            const phys_report reported = m_context.report.soFar();
             std::array<bool, Contacts::kMost> presses;
             Ball next = start;
-            bool pressesOnTop = holdOrFly(trial, kept, h, next, presses);
+            bool pressesOnTop = holdOrFly(kept, h, next, presses);
             while (dropOpening(ball, presses, kept)) {
-                start = ball;
-                keepContacts(kept, start);
-                next = start;
-                pressesOnTop = holdOrFly(trial, kept, h, next, presses);
+                m_context.report.goBackTo(reported);
+                next = ball;
+                keepContacts(kept, next);
+                pressesOnTop = holdOrFly(kept, h, next, presses);
             }
             if (kept.empty() || !overlapsAnother(contacts, kept, next)) {
-                if (m_context.report.wanted()) holdOrFly(m_context, kept, h, start, presses);
                 ball = next;
                 return pressesOnTop;
             }
+            m_context.report.goBackTo(reported);
         }
         // While held at one contact the ball comes to another within the substep: the rule that closes gaps handles
         // both.
         return hold(m_context, contacts, ContactRule::Closing, h, ball);
     }
 
-    bool holdOrFly(const StepContext &context, const Contacts &contacts, double h, Ball &ball,
-                   std::span<bool> presses) const {
-        if (!contacts.empty()) return hold(context, contacts, ContactRule::SecondOrder, h, ball, presses);
+    bool holdOrFly(const Contacts &contacts, double h, Ball &ball, std::span<bool> presses) const {
+        if (!contacts.empty()) return hold(m_context, contacts, ContactRule::SecondOrder, h, ball, presses);
         moveBy(flightLaw(m_context.params()), h, ball);
         return false;
     }
