@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "contact_step.h"
 
-#include "footing.h"
-
 #include "contact/choice.h"
 #include "contact/near.h"
 #include "contact/push_out.h"
@@ -153,7 +151,7 @@ bool twoStick(const LastingContacts &lasting) {
 
 /// Whether the normals of contacts of order 1 turn within the substep as the ball goes round an edge or a corner: where
 /// modes are chosen, and where such a normal and friction press the ball onto other contacts.
-bool haveTurns(const StepContext &context, const Contacts &contacts, const LastingContacts &lasting) {
+bool normalsTurn(const StepContext &context, const Contacts &contacts, const LastingContacts &lasting) {
     if (!context.isRigid()) return lasting.isChosen();
     const auto turns = [&](const Contact &contact) {
         return !contact.isFace() && (lasting.isChosen() || contact.sides[2] != 0);
@@ -161,23 +159,21 @@ bool haveTurns(const StepContext &context, const Contacts &contacts, const Lasti
     return contacts.count() > 1 && std::any_of(contacts.begin(), contacts.end(), turns) && !twoStick(lasting);
 }
 
-/// At the end the ball approaches what it stays on, along the normal of the start.
-void allowTurns(const StepContext &context, const Contacts &contacts, const Vec3 &velocity, double h,
-                LastingContacts &lasting) {
-    for (uint32_t i = 0; i < contacts.count(); ++i)
-        lasting[i].slow -= h * contacts[i].curving(velocity, context.radius());
+/// Whether a touched rough contact opens at once: pressure of the scheme's order would rub with all of its friction.
+bool opensAtOnce(const StepContext &context, const Contacts &contacts, uint32_t i, double curving,
+                 const LastingContacts &lasting) {
+    const Contact &contact = contacts[i];
+    if (contact.friction == 0.0 || !touches(context, contact)) return false;
+    if (contacts.count() > 1) return lasting.isChosen() && lasting[i].reaction == 0.0;
+    return glm::dot(context.setting.gravity(), contact.normal) + curving > 0.0;
 }
 
-/// The same for rough contacts that open at once: pressure of the scheme's order would rub with all of their friction.
-void allowLeaving(const StepContext &context, const Contacts &contacts, const Vec3 &velocity, double h,
-                  LastingContacts &lasting) {
+/// Lets the ball approach contacts along the normals of the start as it goes round them: all, or those that open.
+void goRound(const StepContext &context, const Contacts &contacts, const Vec3 &velocity, double h, bool all,
+             LastingContacts &lasting) {
     for (uint32_t i = 0; i < contacts.count(); ++i) {
-        const Contact &contact = contacts[i];
-        if (contact.friction == 0.0 || !touches(context, contact)) continue;
-        const double curving = contact.curving(velocity, context.radius());
-        const double apart = glm::dot(context.setting.gravity(), contact.normal) + curving;
-        const bool opens = contacts.count() == 1 ? apart > 0.0 : lasting.isChosen() && lasting[i].reaction == 0.0;
-        if (opens) lasting[i].slow -= h * curving;
+        const double curving = contacts[i].curving(velocity, context.radius());
+        if (all || opensAtOnce(context, contacts, i, curving, lasting)) lasting[i].slow -= h * curving;
     }
 }
 
@@ -196,8 +192,8 @@ LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, 
         for (const Contact &contact : contacts)
             lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / time));
         jams = choose(context, contacts, before, h, lasting);
-        turn = mayTurn && haveTurns(context, contacts, lasting);
-        (turn ? allowTurns : allowLeaving)(context, contacts, before.velocity, h, lasting);
+        turn = mayTurn && normalsTurn(context, contacts, lasting);
+        goRound(context, contacts, before.velocity, h, turn, lasting);
         motion = driven;
         lasting.solve(context.params().rolling_friction, motion);
         return lasting;
@@ -307,15 +303,6 @@ HeldBall holdTurning(const StepContext &context, const Contacts &contacts, Conta
     return {lasting, loss, jams};
 }
 
-/// What contacts without friction and resistance leave of gravity.
-Vec3 leftOfGravity(const StepContext &context, const Contacts &contacts, double negligible) {
-    const Vec3 gravity = context.setting.gravity();
-    std::array<Push, Contacts::kMost> pushes;
-    for (uint32_t i = 0; i < contacts.count(); ++i)
-        pushes[i] = {contacts[i].normal, -glm::dot(gravity, contacts[i].normal)};
-    return gravity + leastWay({pushes.data(), contacts.count()}, negligible);
-}
-
 /// Whether contacts, with friction and resistance, can hold a ball at rest: model.md 13.5.
 bool canHold(const StepContext &context, const Contacts &contacts) {
     const Vec3 gravity = context.setting.gravity();
@@ -325,13 +312,29 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
         if (contact.gap < -context.setting.tolerance) return false;
         lasting.add(lastingOf(contact, 0.0));
     }
-    // What rests without friction rests with it, whichever solution is taken: it only takes energy.
-    if (glm::length(leftOfGravity(context, contacts, 0.1 * left)) <= left) return true;
     // One second of gravity, as a velocity: what the contacts leave of it corresponds to an acceleration.
     choose(context, contacts, {Vec3(0.0), Vec3(0.0)}, 1.0, lasting);
     Motion motion{gravity, Vec3(0.0)};
     lasting.solve(context.params().rolling_friction, motion);
     return glm::length(motion.velocity) <= left && context.radius() * glm::length(motion.spin) <= left;
+}
+
+/// Whether a ball at rest on a floor, between smooth upright faces, stays so, including the limit: model.md 6.3.
+/// Nothing if it touches anything else.
+std::optional<bool> holdsOnFloor(const StepContext &context, const Contacts &contacts) {
+    Law<Vec2> law = rollingLaw(context.params());
+    if (!context.rubsOnFloor()) law.B = 0.0;
+    bool hasFloor = false;
+    for (const Contact &contact : contacts) {
+        if (contact.gap < -context.setting.tolerance) return {};
+        hasFloor = hasFloor || contact.isTop;
+        if (contact.isTop) continue;
+        if (!contact.isFace() || contact.sides[2] != 0 || context.hasRoughWalls()) return {};
+        const int axis = contact.sides[0] ? 0 : 1;
+        if (law.A[axis] * contact.sides[axis] < 0.0) law.A[axis] = 0.0;
+    }
+    if (!hasFloor) return {};
+    return context.params().gravity.z <= 0.0 && glm::dot(law.A, law.A) <= law.B * law.B;
 }
 
 HeldBall holdInThisOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
@@ -473,12 +476,11 @@ bool rests(const StepContext &context, Ball &ball) {
     if (!findContacts(context.setting, ball.position, {Vec3(0.0), Vec3(0.0)}, Vec3(0.0), contacts)) return false;
     // In the air, which pulls nothing without gravity, the rolling model's spin stays as well.
     if (contacts.empty() && ball.spin != Vec3(0.0)) return false;
-    const Footing footing = Footing::of(contacts, context.setting.tolerance);
     // A ball that rolls on the floor alone keeps even the slowest motion.
     const bool isStill = ball.velocity == Vec3(0.0) && (!context.isRigid() || ball.spin == Vec3(0.0));
     if (!isStill && contacts.count() == 1 && contacts[0].isTop) return false;
-    const bool isHeld = footing.isEasy(context.params()) ? footing.holds(context.params()) : canHold(context, contacts);
-    if (!isHeld) return false;
+    const std::optional<bool> holds = holdsOnFloor(context, contacts);
+    if (!(holds ? *holds : canHold(context, contacts))) return false;
     if (!context.isRigid()) context.report.lostSlip(spinEnergy(ball.spin, radius));
     ball.velocity = Vec3(0.0);
     ball.spin = Vec3(0.0);
