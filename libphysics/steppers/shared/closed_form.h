@@ -51,6 +51,7 @@ private:
     struct Passed;
     struct Shares;
 
+    void begin(const Vec2 &v0, const Vec2 &A, double B);
     double shortXi(double t) const;
     template<class Of>
     Passed improve(double xi, double t) const;
