@@ -343,9 +343,61 @@ void slot(Sketch &s) {
     s.scene.legs.push_back({gravity, s.dice.magnitude(1e-3, 0.1) * std::sqrt(s.r / 0.006), 4});
 }
 
+/// Height of what lies below a point, in radii; 0 if nothing does.
+double topBelow(const Sketch &s, double x, double y) {
+    double top = 0;
+    for (const phys_box &box : s.scene.boxes) {
+        if (box.min.x <= x * s.r && x * s.r <= box.max.x && box.min.y <= y * s.r && y * s.r <= box.max.y)
+            top = std::max(top, box.max.z / s.r);
+    }
+    return top;
+}
+
+/// In round numbers, as people type them: diagonals, corners and borders that are met exactly, pulls that are equal.
+void roundNumbers(Sketch &s) {
+    const auto quarters = [&](int least, int most) { return 0.25 * (least + s.dice.below(most - least + 1)); };
+    s.r = s.scene.radius = 0x1p-7;
+    const double x = quarters(-4, 4), y = quarters(-4, 4);
+    switch (s.dice.below(3)) {
+    case 0: { // a corner of a pit or, of four boxes, of a hole
+        const double depth = s.dice.chance(0.5) ? 9 : quarters(1, 8), wide = quarters(2, 12);
+        s.box(-30, -30, -12, x, 30, 0);
+        s.box(x, y, -12, 30, 30, 0);
+        if (s.dice.chance(0.5)) s.box(x + wide, -30, -12, 30, y, 0);
+        if (s.dice.chance(0.5)) s.box(x, -30, -12, x + wide, y - wide, 0);
+        if (depth < 9) s.box(x, -30, -12, 30, y, -depth);
+        break;
+    }
+    case 1: { // an inner corner of kerbs or walls
+        const double height = quarters(1, 10);
+        s.floor();
+        s.box(x + 1, -8, 0, 8, 8, height);
+        s.box(-8, y + 1, 0, 8, 8, s.dice.chance(0.7) ? height : quarters(1, 10));
+        break;
+    }
+    default:
+        s.floor();
+        for (int count = 1 + s.dice.below(4); count > 0; --count) {
+            const double left = quarters(-12, 12), front = quarters(-12, 12), low = quarters(-2, 8);
+            s.box(left, front, low, left + quarters(1, 16), front + quarters(1, 16), low + quarters(1, 8));
+        }
+    }
+    const double back = s.dice.chance(0.2) ? 0 : quarters(1, 8);
+    const int aside = s.dice.chance(0.5) ? 1 : s.dice.below(3) - 1; // the diagonal, or along an axis
+    const double left = x - back, front = y + aside * back;
+    s.place(left, front, topBelow(s, left, front) + (s.dice.chance(0.7) ? 1 : quarters(5, 16)));
+    const double speed = s.dice.chance(0.3) ? 0 : quarters(1, 8);
+    s.velocity(speed, -aside * speed, 0);
+    const double pull = s.dice.chance(0.1) ? 0 : quarters(-2, 4) * kGravity;
+    const phys_vec3 gravity{pull, s.dice.chance(0.5) ? -aside * pull : quarters(-2, 2) * kGravity, -kGravity};
+    s.scene.legs.push_back({gravity, s.dice.magnitude(1e-3, 0.3), 4});
+}
+
 struct Kind {
     const char *name;
     void (*draw)(Sketch &);
+    /// Whether smooth cases start beside the place: right on a border or a corner the integrator isn't to be relied on.
+    bool isShifted = false;
 };
 constexpr Kind kKinds[] = {
     {"boxes", boxes},
@@ -370,6 +422,7 @@ constexpr Kind kKinds[] = {
     {"upright_edge", uprightEdge},
     {"groove", groove},
     {"slot", slot},
+    {"round_numbers", roundNumbers, true},
 };
 
 void drawRadius(Sketch &s) {
@@ -478,6 +531,10 @@ Case drawSmoothCase(size_t kind, uint64_t seed, uint32_t model) {
     Sketch s = sketch(kind, seed ^ 0x5eed5eed, model);
     s.scene.name = std::string(kKinds[kind].name) + "-smooth-" + std::to_string(seed);
     kKinds[kind].draw(s);
+    if (kKinds[kind].isShifted) {
+        s.scene.start.position.x += s.dice.between(0.01, 0.1) * s.r;
+        s.scene.start.position.y += s.dice.between(0.01, 0.1) * s.r;
+    }
     const double fastest = 4 * std::sqrt(kGravity * s.r);
     const double speed = static_cast<double>(length(vectorOf(s.scene.start.velocity)));
     if (speed > fastest) s.scene.start.velocity = rounded((fastest / speed) * vectorOf(s.scene.start.velocity));
