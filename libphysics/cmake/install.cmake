@@ -62,7 +62,7 @@ foreach(page ${physics_pages})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${page})
 endforeach()
 install(DIRECTORY docs examples DESTINATION ${physics_document_dir} COMPONENT development
-    PATTERN __pycache__ EXCLUDE)
+    PATTERN __pycache__ EXCLUDE REGEX "/docs/[a-z_]*\\.md$" EXCLUDE)
 install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/pages/ DESTINATION ${physics_document_dir} COMPONENT development)
 install(FILES ${PROJECT_SOURCE_DIR}/mazes/levels/01.txt DESTINATION ${physics_document_dir}/examples
     COMPONENT development)
