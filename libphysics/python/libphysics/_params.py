@@ -77,7 +77,8 @@ class Params:
     the stepper's own (made by `Stepper.params`), `gravity` (m/s^2, shape + (3,)) and the switches `orientation` and
     `all_stages`. Values may be arrays: the set then has their common shape, and `Stepper.run` broadcasts it. What is
     written into such an array in place (`params.restitution_wall[1] = 7`, `params.gravity[2] = 5`) is checked by the step;
-    those of the switches are read-only. Two sets are compared by their `record`s.
+    those of the switches are read-only. Sets of the same names, shape and values are equal; as they can change, they have no
+    hash.
     """
 
     __slots__ = ("record", "_rows")
@@ -188,6 +189,11 @@ class Params:
         record, own_rows = state
         object.__setattr__(self, "_rows", _rows_of_library() | own_rows)
         object.__setattr__(self, "record", record)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Params):
+            return NotImplemented
+        return self._rows == other._rows and np.array_equal(self.record, other.record)
 
     def __dir__(self) -> list[str]:
         return sorted([*object.__dir__(self), *self.names()])

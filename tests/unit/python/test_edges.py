@@ -51,6 +51,25 @@ class EmptyShapesTest(unittest.TestCase):
         self.assertEqual(stepper.run(scene.start(4)[nobody], params, 0.01, 5).states.shape, (0,))
 
 
+class EqualityTest(unittest.TestCase):
+    """Params are compared by value."""
+
+    def test_sets_of_the_same_names_shape_and_values_are_equal(self):
+        stepper = lp.Stepper("rk4", lp.Scene(boxes=[FLOOR]))
+        for values in ({}, {"gravity": (1, 0, -9)}, {"model": lp.RIGID}, {"orientation": True}, {"as_reported": 1},
+                       {"restitution_wall": [0.25, 0.75]}, {"rolling_friction": np.zeros((2, 0))}):
+            self.assertTrue(stepper.params(**values) == stepper.params(**values), values)
+            self.assertEqual(stepper.params(**values) != stepper.params(), values != {}, values)
+        self.assertNotEqual(stepper.params(restitution_wall=[0.25, 0.75]), stepper.params(restitution_wall=[0.25, 0.5]))
+        self.assertNotEqual(lp.Params(), lp.Params(restitution_wall=[0.5]))  # the default, in another shape
+        self.assertNotEqual(lp.Params(), stepper.params())  # of other names
+        self.assertNotEqual(lp.Params(), "Params")
+
+    def test_sets_can_change_and_have_no_hash(self):
+        with self.assertRaisesRegex(TypeError, "unhashable"):
+            hash(lp.Params())
+
+
 class PiecesTest(unittest.TestCase):
     """A long run is made in pieces, which show in nothing but that signals are heeded."""
 
