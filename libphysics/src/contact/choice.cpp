@@ -124,6 +124,19 @@ Vec3 resistanceIn(const Response &response, std::span<const Held> held, double r
     return resisting;
 }
 
+/// Ends the slips of the contacts that stay. False if none slips: what a substep ends by itself is no jam.
+template<class End>
+bool endBy(End end, const Contacts &contacts, const Substep &substep, Work &work, Moment &moment) {
+    const Part part(substep, contacts, [](const Contact &contact) { return contact.restSpeed; });
+    const bool slips = std::any_of(part.list().begin(), part.list().end(),
+                                   [](const Held &held) { return held.friction > 0.0 && !held.isStill; });
+    if (!slips) return false;
+    Work own(kMostChoice);
+    const bool ends = end(moment, part.list(), own);
+    work.add(2 * own.done() / 3);
+    return ends && !own.isTooMuch();
+}
+
 } // namespace
 
 bool choose(const Contacts &contacts, const Moment &moment, double rollingFriction, double h, Work &work,
@@ -173,16 +186,16 @@ bool choose(const Contacts &contacts, const Moment &moment, double rollingFricti
     return false;
 }
 
-bool endJam(const Contacts &contacts, double rollingFriction, double h, bool stopsAll, Work &work, Moment &moment) {
-    const Part part({moment, rollingFriction, h}, contacts, [](const Contact &contact) { return contact.restSpeed; });
-    const bool slips = std::any_of(part.list().begin(), part.list().end(),
-                                   [](const Held &held) { return held.friction > 0.0 && !held.isStill; });
-    if (!slips) return false; // what a substep ends by itself is no jam
-    Work own(kMostChoice);
-    const bool ends = stopsAll || endSlips(moment, part.list(), own);
-    if (stopsAll) stopSlips(moment, part.list(), own);
-    work.add(2 * own.done() / 3);
-    return ends && !own.isTooMuch();
+bool endJam(const Contacts &contacts, double rollingFriction, double h, Work &work, Moment &moment) {
+    return endBy(endSlips, contacts, {moment, rollingFriction, h}, work, moment);
+}
+
+bool stopJam(const Contacts &contacts, double rollingFriction, double h, Work &work, Moment &moment) {
+    const auto stop = [](Moment &jammed, std::span<const Held> held, Work &own) {
+        stopSlips(jammed, held, own);
+        return true;
+    };
+    return endBy(stop, contacts, {moment, rollingFriction, h}, work, moment);
 }
 
 } // namespace phys

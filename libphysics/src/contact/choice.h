@@ -13,7 +13,9 @@ namespace phys {
 bool choose(const Contacts &contacts, const Moment &moment, double rollingFriction, double h, Work &work,
             LastingContacts &lasting);
 
-/// Ends slips in a jam, as endSlips does; stopsAll: as stopSlips does. False if there are no such impulses.
-bool endJam(const Contacts &contacts, double rollingFriction, double h, bool stopsAll, Work &work, Moment &moment);
+/// Ends slips in a jam, as endSlips does. False if there are no such impulses.
+bool endJam(const Contacts &contacts, double rollingFriction, double h, Work &work, Moment &moment);
+/// The same as stopSlips does, for jams that endJam can't end.
+bool stopJam(const Contacts &contacts, double rollingFriction, double h, Work &work, Moment &moment);
 
 } // namespace phys

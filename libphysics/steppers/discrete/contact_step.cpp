@@ -342,14 +342,13 @@ HeldBall holdInThisOrder(const StepContext &context, const Contacts &contacts, C
     return (turns ? holdTurning : holdFirstOrder)(context, contacts, kind, h, ball);
 }
 
-/// A jam among touched contacts ends as in `exact`, model.md 14.1; stopsAll: by whatever friction that requires. False
-/// if it can't.
-bool endJam(const StepContext &context, const Contacts &contacts, double h, bool stopsAll, Ball &ball) {
+/// A jam among touched contacts ends as in `exact`, model.md 14.1. end: endJam, or stopJam. False if it can't.
+bool endJamBy(decltype(endJam) end, const StepContext &context, const Contacts &contacts, double h, Ball &ball) {
     const bool allTouched = std::all_of(contacts.begin(), contacts.end(),
                                         [&](const Contact &contact) { return touches(context, contact); });
     Moment moment{ball.velocity, ball.spin, context.setting.gravity(), context.radius()};
     const double resistance = context.params().rolling_friction;
-    if (!allTouched || !endJam(contacts, resistance, h, stopsAll, context.work, moment)) return false;
+    if (!allTouched || !end(contacts, resistance, h, context.work, moment)) return false;
     const double before = kineticEnergy(context, motionOf(ball));
     setMotion({moment.velocity, moment.spin}, ball);
     context.report.lostSlip(before - kineticEnergy(context, motionOf(ball)));
@@ -415,8 +414,8 @@ bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind
           std::span<bool> presses) {
     Ball start = ball;
     HeldBall held = holdInThisOrder(context, contacts, kind, h, ball);
-    for (const bool stopsAll : {false, true}) {
-        if (!held.jams || !endJam(context, contacts, h, stopsAll, start)) continue;
+    for (const auto end : {endJam, stopJam}) {
+        if (!held.jams || !endJamBy(end, context, contacts, h, start)) continue;
         ball = start;
         held = holdInThisOrder(context, contacts, kind, h, ball);
     }
