@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from concurrent.futures import ThreadPoolExecutor
 from ctypes import byref, c_char
 from typing import Any
@@ -16,6 +17,9 @@ from ._run import Run
 
 _STEPS = 1_048_576  # of all balls in a piece: 20 ms in lanes, half a second by `exact`
 _LANES = 8  # balls that the library moves together
+_SKIPPED = 0.25e-9  # s: no step is computed within it, so the library skipped them, as it does where nothing changes
+_LONGEST = 0.05  # s, of a piece that larger ones follow
+_GROWTH = 16
 
 
 def viewed(place: int, dtype: np.dtype[Any]) -> NDArray[Any]:
@@ -56,18 +60,21 @@ class _Pieces:
         self._batch.steps_done = address(self._now)
 
     def run(self, handle: Handle, begin: int, end: int) -> None:
-        todo = [(begin, end, 0)]
+        todo = [(begin, end, 0, _STEPS)]
         while todo and not self.interrupted.is_set():
-            begin, end, step = todo.pop()
+            begin, end, step, size = todo.pop()
             left = self._batch.step_count - step
             if left == 0 or begin == end:
                 continue
-            some = begin + max(_LANES, _STEPS // left // _LANES * _LANES)
+            some = begin + max(_LANES, size // left // _LANES * _LANES)
             if some < end:
-                todo.append((some, end, step))
+                todo.append((some, end, step, size))
                 end = some
-            length = self._run_piece(handle, begin, end, step, min(left, max(1, _STEPS // (end - begin))))
-            todo += [(first, last, step + length) for first, last in self._still_running(begin, end)]
+            began = time.perf_counter()
+            length = self._run_piece(handle, begin, end, step, min(left, max(1, size // (end - begin))))
+            if time.perf_counter() - began < min(_SKIPPED * length, _LONGEST):
+                size *= _GROWTH
+            todo += [(first, last, step + length, size) for first, last in self._still_running(begin, end)]
 
     def _run_piece(self, handle: Handle, begin: int, end: int, step: int, length: int) -> int:
         """Runs some steps, at most `length`, and returns how many."""

@@ -196,9 +196,10 @@ class Stepper(Owner):
         (3,) for all, or (..., 1, 3) for each ball, or (..., steps, 3) for each ball and step. The shapes of states and
         params and gravity's `...` broadcast to the batch. every: keep every k-th state as `path`; 0: none. stop: a ball
         is done once its state has one of these flags, for instance OUT. threads: how many run (1 .. 1024; never more than
-        there are balls), with the interpreter's lock released. Ctrl-C is heeded between pieces of a million steps; `out` then
-        has balls after different numbers of steps. tally: whether `impacts` and `energy_lost` are wanted; steps
-        are slower then. out: states of the batch's shape that are written, for instance `states` itself.
+        there are balls), with the interpreter's lock released. Ctrl-C is heeded between pieces of a million steps (more
+        where balls rest, which takes no time); `out` then has balls after different numbers of steps. tally: whether
+        `impacts` and `energy_lost` are wanted; steps are slower then. out: states of the batch's shape that are written,
+        for instance `states` itself.
         Wrong arguments raise TypeError, ValueError or PhysicsError and write nothing; a ball that fails has its status in
         the result (`Run.check` raises).
         """

@@ -106,17 +106,39 @@ class PiecesTest(unittest.TestCase):
         run = stepper.run(scene.start(2), stepper.params(), 0.01, 2**53, gravity=(2, 0, -9.75), stop=lp.OUT)
         self.assertTrue((run.states["flags"] & lp.OUT).all())
 
+    def test_steps_of_resting_balls_take_few_pieces(self):
+        from libphysics import _pieces
+        pieces, usual = [], _pieces.run_piece
+        self.addCleanup(setattr, _pieces, "run_piece", usual)
+
+        def run_piece(*arguments):
+            pieces.append(arguments)
+            if len(pieces) > 10_000:  # of 2^37
+                raise InterruptedError
+            usual(*arguments)
+
+        _pieces.run_piece = run_piece
+        for threads, every in ((1, 0), (2, 0), (1, 2**51)):
+            pieces.clear()
+            run = self.stepper.run(self.scene.start(16), self.stepper.params(), 0.25, 2**53, threads=threads, every=every)
+            self.assertEqual(run.states["time"].tolist(), [2.0**51] * 16)
+            self.assertEqual((run.steps_done == 2**53).all(), True)
+            if every:
+                self.assertEqual(run.path["time"].tolist(), [[2.0**49, 2.0**50, 1.5 * 2.0**50, 2.0**51]] * 16)
+
     def test_a_signal_ends_a_run(self):
         # A shell lets what it starts in the background ignore this signal, which Python takes over.
         signal.signal(signal.SIGINT, signal.default_int_handler)
         # A program that a script starts in the background ignores the signal.
         heeded = signal.signal(signal.SIGINT, signal.default_int_handler)
         self.addCleanup(signal.signal, signal.SIGINT, heeded)
+        states, params = self.scene.start(2), self.stepper.params(rolling_friction=0.0, restitution_wall=1.0)
+        states["velocity"] = 0.25, 0.125, 0.0  # for good
         for threads in (1, 2):
             timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
             timer.start()
             with self.assertRaises(KeyboardInterrupt):
-                self.stepper.run(self.scene.start(2), self.stepper.params(), 0.01, 2**53, threads=threads)
+                self.stepper.run(states, params, 0.01, 2**53, threads=threads)
             timer.join()
         self.stepper.run(self.scene.start(2), self.stepper.params(), 0.01, 5).check()
 
