@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "swept_step.h"
 
+#include "scene/nearest.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -31,6 +33,17 @@ double safeTimeOfSpin(const PlanInput &input, const Ball &ball) {
 double safeTime(const PlanInput &input, const Ball &ball) {
     const double pull = glm::length(toVec(input.params.gravity));
     return std::min(safeTime(input.scene.radius, pull, glm::length(ball.velocity)), safeTimeOfSpin(input, ball));
+}
+
+/// On which side of a box a centre is along each axis: -1, 0 inside, 1; 2 at an end, where the velocity decides.
+std::array<int, 3> sidesOf(const phys_box &box, const Vec3 &centre, double tolerance) {
+    std::array<int, 3> sides{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double below = (&box.min.x)[axis] - centre[axis], above = centre[axis] - (&box.max.x)[axis];
+        const bool isAtEnd = std::abs(below) <= tolerance || std::abs(above) <= tolerance;
+        sides[static_cast<size_t>(axis)] = isAtEnd ? 2 : below > 0.0 ? -1 : above > 0.0 ? 1 : 0;
+    }
+    return sides;
 }
 
 } // namespace
@@ -100,6 +113,11 @@ bool SweptStep::toNextEvent() {
 /// The whole step if no event happens in it.
 bool SweptStep::advanceFreely() {
     if (m_done > 0.0) return false;
+    if (passesBy(m_input)) {
+        move(m_input.dt, m_context.report, m_context.work, m_ball);
+        turn(m_ball.spin, m_input.dt);
+        return true;
+    }
     if (!isSlow(m_input) || spinsFast(m_input)) return false;
     const StepContext context{{m_input.scene, m_input.params}, m_context.report, m_context.work};
     const Motion before = motionOf(m_ball);
@@ -122,9 +140,57 @@ double SweptStep::leavingSpeed(double restSpeed) const {
     return std::max({restSpeed, m_slow, hop});
 }
 
+/// Whether the ball touches nothing but one floor and at most one vertical face. These are its contacts then.
+bool SweptStep::touchesGround() {
+    const Setting &setting = m_context.setting;
+    const Vec3 &p = m_ball.position;
+    const double touching = m_context.radius() + setting.tolerance;
+    uint32_t floors = 0, faces = 0;
+    m_contacts.clear();
+    for (const uint32_t number : setting.scene.boxesNear(p.x, p.y, setting.scene.hasManyBoxes)) {
+        const phys_box &box = setting.scene.boxes[number];
+        if (squaredDistance(box, p) > touching * touching) continue;
+        const std::array<int, 3> sides = sidesOf(box, p, setting.tolerance);
+        const int axis = sides[2] != 0 ? 2 : sides[1] != 0 ? 1 : 0;
+        const int side = sides[static_cast<size_t>(axis)];
+        const bool isFace = std::count(sides.begin(), sides.end(), 0) == 2 && std::abs(side) == 1;
+        uint32_t &count = axis == 2 ? floors : faces;
+        if (!isFace || count++ > 0 || (axis == 2 && side < 0)) return false;
+        m_contacts.add(contactAtFace(setting, p, number, axis, side));
+    }
+    return floors == 1;
+}
+
+/// The usual phase, begun at less cost with the bits of the general case: in the rolling model, the ball lies on a
+/// floor alone or bounces off a face there. Otherwise returns false and changes no more than the contacts.
+bool SweptStep::beginOnFloor() {
+    const bool mayBe = !m_context.isRigid() && !m_context.report.wanted() && m_ball.velocity.z == 0.0 &&
+                       m_context.params().gravity.z <= 0.0;
+    if (!mayBe || !touchesGround()) return false;
+    Motion motion = motionOf(m_ball);
+    for (const Contact &contact : m_contacts) {
+        if (contact.isTop) continue;
+        const double restSpeed = restSpeedAlong(contact.normal);
+        const double approach = -glm::dot(motion.velocity, contact.normal);
+        if (approach > std::max(restSpeed, negligibleSpeed(motion, m_context.radius()))) {
+            motion.velocity += (1.0 + contact.restitution) * approach * contact.normal;
+            dropTraces(motionOf(m_ball), m_context.radius(), motion);
+        }
+        if (!(glm::dot(motion.velocity, contact.normal) > leavingSpeed(restSpeed))) return false;
+    }
+    m_contacts.drop([](const Contact &contact) { return !contact.isTop; });
+    m_ball.velocity = Vec3(inPlane(motion.velocity), 0.0);
+    m_ball.spin = rollingSpin(inPlane(motion.velocity), m_context.radius());
+    m_ball.position.z = m_contacts[0].point.z + m_context.radius();
+    m_isAlone = true;
+    m_resists = false;
+    return true;
+}
+
 void SweptStep::beginPhase() {
     m_taken = Vec3(0.0);
     m_hopEnd = INFINITY;
+    if (beginOnFloor()) return;
     const Setting &setting = m_context.setting;
     const auto lookHere = [&] {
         findContacts(setting, m_ball.position, motionOf(m_ball), Vec3(0.0), m_contacts);

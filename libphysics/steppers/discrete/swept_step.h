@@ -71,6 +71,8 @@ private:
     }
     double restSpeedAlong(const Vec3 &normal) const;
     double leavingSpeed(double restSpeed) const;
+    bool touchesGround();
+    bool beginOnFloor();
     void beginPhase();
     /// Whether a floor carries the ball for certain: among upright faces and edges, which can't lift it off.
     bool isSurelyCarried() const {
