@@ -370,6 +370,9 @@ Level readLevel(const QCommandLineParser &parser, const QString &file, const Opt
     const std::optional<Level> level = findLevel(options.levels, wanted, &error);
     const QString option = options.action == Options::Action::Replay ? QStringLiteral("replay") : named;
     if (!level) throw WrongUse{QStringLiteral("--%1: ").arg(option) + error};
+    if (!fileExists(level->path))
+        throw WrongUse{QStringLiteral("--%1: expected the number of a level or a maze's file, found %2")
+                           .arg(option, foundText(wanted))};
     return *level;
 }
 

@@ -230,6 +230,13 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                               << "headless";
     QTest::newRow("level not in the list") << "--level 9999"
                                            << "--level: expected 1 to ";
+    QTest::newRow("level neither a number nor a file")
+        << "--level 1.0"
+        << "--level: expected the number of a level or a maze's file, found '1.0'";
+    QTest::newRow("no level") << "--level="
+                              << "--level: expected the number of a level or a maze's file, found nothing";
+    QTest::newRow("trade of no level") << "--trade nowhere/none.txt"
+                                       << "--trade: expected the number of a level or a maze's file, found 'nowhere";
     QTest::newRow("unknown stepper") << "--stepper magic"
                                      << "magic";
     QTest::newRow("plugin missing") << "--plugin nowhere/none.so"
