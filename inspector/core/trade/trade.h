@@ -47,16 +47,16 @@ struct ErrorRecord {
 
 /// Against "exact" with the same model, up to the horizon.
 struct TradeError {
-    double positionLargest = 0.0;         ///< radii
-    double positionFinal = 0.0;           ///< radii
-    double velocityLargest = 0.0;         ///< m/s; momentarily large when a bounce is early or late
-    double orientationLargest = 0.0;      ///< rad; 0 without orientation
-    double energyDrift = 0.0;             ///< J/kg, gained (> 0) or lost (< 0) by the scheme itself
-    double penetrationLargest = 0.0;      ///< radii
-    std::optional<double> timeUntilWrong; ///< s, when the position error first passes kWrong radii
-    int wrongImpacts = 0;                 ///< missing, spurious or out of order
-    std::optional<double> model;          ///< radii: the rolling model's largest distance from the rigid one
-    std::vector<ErrorRecord> growth;      ///< running maximum of the position error
+    double positionLargest = 0.0;             ///< radii
+    double positionFinal = 0.0;               ///< radii
+    double velocityLargest = 0.0;             ///< m/s; momentarily large when a bounce is early or late
+    std::optional<double> orientationLargest; ///< rad; none without orientation
+    double energyDrift = 0.0;                 ///< J/kg, gained (> 0) or lost (< 0) by the scheme itself
+    double penetrationLargest = 0.0;          ///< radii
+    std::optional<double> timeUntilWrong;     ///< s, when the position error first passes kWrong radii
+    int wrongImpacts = 0;                     ///< missing, spurious or out of order
+    std::optional<double> model;              ///< radii: the rolling model's largest distance from the rigid one
+    std::vector<ErrorRecord> growth;          ///< running maximum of the position error
 };
 
 inline constexpr double kWrong = 0.1; ///< radii

@@ -71,8 +71,8 @@ public:
         m_error.positionLargest = std::max(m_error.positionLargest, position);
         m_error.velocityLargest = std::max(m_error.velocityLargest, distance(m_state.velocity, expected.velocity));
         if (!(m_params.options & PHYS_OPTION_ORIENTATION)) return;
-        m_error.orientationLargest =
-            std::max(m_error.orientationLargest, angleBetween(m_state.orientation, expected.orientation));
+        const double turn = angleBetween(m_state.orientation, expected.orientation);
+        m_error.orientationLargest = std::max(m_error.orientationLargest.value_or(0.0), turn);
     }
 
     const std::vector<Impact> &impacts() const { return m_impacts; }

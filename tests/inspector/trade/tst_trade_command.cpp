@@ -32,6 +32,7 @@ private slots:
     void unreachableToleranceGivesStatus1();
     void csvHeaderStaysAsItIs();
     void csvHasARowForEachPoint();
+    void turnThatIsNotMeasuredIsNoFigure();
     void fileBesideTheTableTellsWhatWasMeasured();
     void svgIsWellFormedAndNamesEveryStepper();
     void otherPicturesAreLeftToTheirWriter();
@@ -195,6 +196,21 @@ void TestTradeCommand::csvHasARowForEachPoint() {
     QCOMPARE(lines.size(), 1 + qsizetype(phys_registry_count(nullptr)) * 2 * 2); // steps, models
     QVERIFY2(lines[1].startsWith("explicit-euler,0.05,rolling,"), lines[1].constData());
     for (const QByteArray &line : lines) QVERIFY(line.contains('"') || line.count(',') == lines[0].count(','));
+}
+
+void TestTradeCommand::turnThatIsNotMeasuredIsNoFigure() {
+    const QString path = m_folder.filePath("turn.csv");
+    const auto figures = [&](const QString &more) { // of explicit-euler, in the table and in the file
+        const QStringList lines = runOf(kShort + more + "--csv " + path).out.split('\n');
+        const auto isHeader = [](const QString &line) { return line.startsWith("stepper "); };
+        const auto header = std::find_if(lines.begin(), lines.end(), isHeader);
+        const qsizetype end = header->indexOf("turn [deg]") + qsizetype(strlen("turn [deg]"));
+        const QByteArrayList rows = contentOf(path).split('\n');
+        const qsizetype column = rows[0].split(',').indexOf("orientation_largest [deg]");
+        return QStringList{header[1].left(end).section(' ', -1), QString::fromUtf8(rows[1].split(',')[column])};
+    };
+    QCOMPARE(figures(QString()), (QStringList{"–", ""}));
+    for (const QString &figure : figures("--with-orientation ")) QVERIFY2(figure.toDouble() > 0.0, qPrintable(figure));
 }
 
 void TestTradeCommand::fileBesideTheTableTellsWhatWasMeasured() {
