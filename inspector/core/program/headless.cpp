@@ -149,6 +149,9 @@ int runBall(const Options &options, QIODevice &out, QTextStream &messages) {
     const bool isRecorded = endRecording(recorder.get(), *engine, outcome, messages);
     const bool isWhole = writer.isGood(); // otherwise the run ended early, as where a pipe was closed
     if (isWhole) messages << outcomeLine(options.level, outcome) << '\n';
+    if (isWhole && outcome.steps > 0 && outcome.steps < options.csvEvery)
+        report(messages,
+               QStringLiteral("--csv-every: the table has no row, as the run ends at step %1").arg(outcome.steps));
     const bool isCompared = !isWhole || other.tell(messages);
     const bool isWritten = file ? file->finish() : isWhole;
     if (file && !isWritten) report(messages, QStringLiteral("--csv: ") + file->problem());

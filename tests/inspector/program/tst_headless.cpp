@@ -24,6 +24,7 @@ private slots:
     void fileOfAnotherKindBesideTheTableStays();
     void rowPerStepReadsBackExactly();
     void everySoManyStepsIsARow();
+    void tableWithoutARowIsTold();
     void localeMakesNoDifference();
     void durationIsReachedInWholeSteps_data();
     void durationIsReachedInWholeSteps();
@@ -147,6 +148,15 @@ void TestHeadless::everySoManyStepsIsARow() {
     const QByteArrayList rows = headless("--duration 1 --csv-every 30").rows();
     QCOMPARE(rows.size(), 3);
     QVERIFY(rows[0].startsWith("0.3") && rows[2].contains(", 90,"));
+}
+
+void TestHeadless::tableWithoutARowIsTold() {
+    const auto isTold = [](const QString &every) {
+        return headless("--duration 1 --csv-every " + every)
+            .messages.contains("\nphysics-inspector: --csv-every: the table has no row, as the run ends at step 100\n");
+    };
+    QVERIFY(isTold("101"));
+    QVERIFY(!isTold("100"));
 }
 
 void TestHeadless::localeMakesNoDifference() {
